@@ -10,6 +10,7 @@ schema::Trajectory::Reader PathEntry::reader() const {
   if (!ofProgress()) return record.reader().getTrajectory();
   const auto progress = record.reader().getProgress();
   switch (kind) {
+    case PathKind::solution: return progress.getSolution();
     case PathKind::closest: return progress.getBest();
     case PathKind::newest: return progress.getNewest();
     default: return progress.getDeaths()[death];

@@ -36,6 +36,8 @@ struct PathEntry {
 
   bool played() const { return !playback.feet.empty(); }
   bool ofProgress() const { return record.which() == io::Kind::PROGRESS; }
+  // True for the first solution of a search that still improves it.
+  bool provisional() const { return kind == PathKind::solution && ofProgress(); }
   schema::Trajectory::Reader reader() const;
   // Returns the trajectory in the level's ticks.
   schema::Trajectory::Reader inLevelTicks() const {

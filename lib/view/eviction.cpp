@@ -112,8 +112,9 @@ bool Collector::full() {
   if (bytesKept_ <= budget_.bytes) return false;
   if (!std::exchange(fullNoted_, true)) {
     note(
-        "The memory budget is full, so later levels, queries and answers are left out. Restart "
-        "obby-view to see them, or show fewer queries with --query.");
+        "The memory budget is full, so later levels, queries and answers are left out. To see "
+        "them, "
+        "show fewer queries with --query, or save the input in a file and view it without --live.");
   }
   return true;
 }

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace obby::view {
 namespace {
 
-constexpr float kAround = 6;  // margin, studs
+constexpr float kAround = 6;       // margin, studs
+constexpr float kGround = 4;       // a ground is this much longer than all else
+constexpr float kMinGround = 500;  // studs
 
 template <class T>  // Part or Region
 Corners cornersFrom(T reader) {
@@ -52,6 +57,21 @@ Box extentOf(const LevelEntry& level, const QueryEntry& query) {
   }
   if (!any) return level.level->bounds();
   return grow(all, {kAround, kAround, kAround});
+}
+
+Box courseOf(const LevelEntry& level) {
+  std::vector<Box> boxes;
+  for (const auto part : level.reader().getParts()) boxes.push_back(boxOf(cornersOf(part)));
+  if (boxes.empty()) return level.level->bounds();
+  const auto lengthOf = [](const Box& box) { return length(box.hi - box.lo); };
+  std::sort(boxes.begin(), boxes.end(),
+            [&](const Box& a, const Box& b) { return lengthOf(a) < lengthOf(b); });
+  Box rest = boxes[0];
+  for (const Box& box : boxes) {
+    if (lengthOf(box) > std::max(kMinGround, kGround * lengthOf(rest))) break;
+    rest = join(rest, box);
+  }
+  return rest;
 }
 
 Vec3 alongOf(const Box& extent, const QueryEntry* query) {

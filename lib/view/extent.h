@@ -29,6 +29,9 @@ void forRegions(schema::Query::Reader query, Visit&& visit) {
 // Returns the bounds of regions and trajectories with a margin, or of the level if there are none.
 Box extentOf(const LevelEntry& level, const QueryEntry& query);
 
+// Returns the bounds of the level without a ground that is much larger than everything else.
+Box courseOf(const LevelEntry& level);
+
 // Returns the horizontal axis along the longer side of `extent`, with the sign that points from the
 // query's start to its first goal. `query` may be null.
 Vec3 alongOf(const Box& extent, const QueryEntry* query);

@@ -179,6 +179,19 @@ std::vector<uint16_t> runsOf(schema::Trajectory::Reader path) {
   return runs;
 }
 
+// Writes how close each step is to failing. What a step does not have is left out.
+void writeSteps(io::JsonWriter& json, capnp::List<schema::DifficultyStep>::Reader steps) {
+  json.key("steps").open('[');
+  for (const auto step : steps) {
+    json.open('{').field("startTick", step.getStartTick()).field("ticks", step.getTicks());
+    if (step.getJumps() > 0) json.field("window", step.getWindow());
+    if (step.getMargin() != 0) json.field("margin", step.getMargin());
+    if (step.getClearance() >= 0) json.field("clearance", step.getClearance());
+    json.close();
+  }
+  json.close();
+}
+
 // Writes a solution's difficulty, if recorded. The page marks the hardest step.
 void writeDifficulty(io::JsonWriter& json, schema::Trajectory::Reader path) {
   const auto difficulty = path.getDifficulty();
@@ -187,7 +200,9 @@ void writeDifficulty(io::JsonWriter& json, schema::Trajectory::Reader path) {
   json.key("difficulty").open('{').field("band", enumName(difficulty.getBand(), "unknown"));
   json.field("success", difficulty.getSuccess());
   json.field("expectedAttempts", difficulty.getExpectedAttempts());
-  json.field("noise", std::string_view(difficulty.getNoise().cStr())).key("hardest").open('{');
+  json.field("noise", std::string_view(difficulty.getNoise().cStr()));
+  writeSteps(json, difficulty.getSteps());
+  json.key("hardest").open('{');
   json.field("startTick", hardest.getStartTick()).field("ticks", hardest.getTicks());
   json.field("from", hardest.getFrom()).field("to", hardest.getTo());
   json.field("jumps", hardest.getJumps());
@@ -213,6 +228,7 @@ void writePath(io::JsonWriter& json, const PathEntry& path, uint32_t stride) {
   // A replay without its query cannot tell why the trajectory ended, but the record can.
   const bool unfinished = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
   json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
+  if (path.provisional()) json.field("provisional", true);
   json.field("method", std::string_view(record.getMethod().cStr()));
   if (record.getBody().size() > 0) json.field("body", std::string_view(record.getBody().cStr()));
   if (record.getFrameRate() > 0) json.field("frameRate", uint32_t(record.getFrameRate()));

@@ -108,15 +108,35 @@ void Collector::addQuery(const io::Record& record) {
   }
 }
 
-// Keeps only the latest progress of a query, which supersedes earlier ones.
 void Collector::addProgress(const io::Record& record) {
   const auto progress = record.reader().getProgress();
-  if (!progress.hasBest()) return;
-  QueryEntry& entry = queryNamed(progress.getQuery(), levelNamed(progress.getBest().getLevel()));
+  if (!progress.hasSolution() && !progress.hasBest()) return;
+  const auto of = progress.hasSolution() ? progress.getSolution() : progress.getBest();
+  QueryEntry& entry = queryNamed(progress.getQuery(), levelNamed(of.getLevel()));
+  if (progress.hasSolution()) addFirstSolution(entry, record);
+  if (progress.hasBest()) addAttempts(entry, record);
+}
+
+// The record says nothing else about the search, so the latest progress stays.
+void Collector::addFirstSolution(QueryEntry& entry, const io::Record& record) {
+  PathEntry first{PathKind::solution, record, {}};
+  const auto before = std::ranges::find_if(entry.paths, &PathEntry::provisional);
+  if (before != entry.paths.end()) {
+    if (capnp::toAny(before->reader()) == capnp::toAny(first.reader())) return;
+    forget(*before);
+    entry.paths.erase(before);
+  }
+  addPath(entry, std::move(first));
+}
+
+// Keeps only the latest progress of a query, which supersedes earlier ones.
+void Collector::addAttempts(QueryEntry& entry, const io::Record& record) {
+  const auto progress = record.reader().getProgress();
   entry.progress = record;
   entry.weighed = false;
-  const auto kept = std::stable_partition(entry.paths.begin(), entry.paths.end(),
-                                          [](const PathEntry& path) { return !path.ofProgress(); });
+  const auto kept = std::stable_partition(
+      entry.paths.begin(), entry.paths.end(),
+      [](const PathEntry& path) { return !path.ofProgress() || path.provisional(); });
   std::vector<PathEntry> before(std::make_move_iterator(kept),
                                 std::make_move_iterator(entry.paths.end()));
   entry.paths.erase(kept, entry.paths.end());
@@ -175,7 +195,10 @@ Status Collector::replay(QueryEntry& entry) {
   const auto any = [&](auto&& holds) { return std::ranges::any_of(entry.paths, holds); };
   const bool solved = any([](const PathEntry& p) { return p.kind == PathKind::solution; });
   const bool answered = any([](const PathEntry& p) { return !p.ofProgress(); });
+  const bool improved =
+      any([](const PathEntry& p) { return p.kind == PathKind::solution && !p.provisional(); });
   const auto outdated = [&](const PathEntry& p) {
+    if (p.provisional()) return improved;
     return p.ofProgress() && (p.kind == PathKind::closest ? solved : answered);
   };
   for (PathEntry& path : entry.paths) {

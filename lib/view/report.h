@@ -65,6 +65,8 @@ class Collector {
   Status addLevel(const io::Record& record);
   void addQuery(const io::Record& record);
   void addProgress(const io::Record& record);
+  void addFirstSolution(QueryEntry& entry, const io::Record& record);
+  void addAttempts(QueryEntry& entry, const io::Record& record);
   void addPath(QueryEntry& entry, PathEntry path);
   bool wanted(const io::Record& record) const;
   // Returns the level that a query or an answer names. If several have that name, prefers the

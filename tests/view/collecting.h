@@ -41,4 +41,14 @@ inline std::string progressLine(io::RecordBuilder& best,
   return line(builder);
 }
 
+// The record of a search that goes on to improve its first solution.
+inline std::string firstSolutionLine(io::RecordBuilder& solution) {
+  io::RecordBuilder builder;
+  auto p = builder.root().initProgress();
+  p.setQuery("ahead");
+  p.setSeconds(0.25f);
+  p.setSolution(solution.reader().getTrajectory());
+  return line(builder);
+}
+
 }  // namespace obby::view_test

@@ -8,6 +8,7 @@ namespace obby::view_test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Collector, ReadingItAfterEachRecordKeepsTheReport) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300), right = walk(kRight, 300, true);
@@ -88,6 +89,37 @@ TEST(Collector, ARunningSearchShowsItsNumbers) {
                         R"("closest":9.5,"waypoints":0})"));
   addAll(collector, {resultLine("unknown", 0)});
   EXPECT_THAT(view::pageData(collector.report(), {}), ::testing::Not(HasSubstr("\"progress\"")));
+}
+
+TEST(Collector, TheFirstSolutionIsShownUntilTheImprovedOneArrives) {
+  auto near = walk(kAhead, 40), left = walk(kLeft, 300);
+  auto first = walk(kAhead, 200, true), improved = walk(kAhead, 200);
+  auto collector = strict();
+  addAll(collector, {kLevel, kQuery, progressLine(near, {&left}, 9), firstSolutionLine(first)});
+  const view::QueryEntry& entry = collector.report().queries[0];
+  ASSERT_EQ(entry.paths.size(), 2u) << "the closest attempt is superseded";
+  EXPECT_TRUE(entry.paths[0].provisional());
+  EXPECT_EQ(entry.paths[0].playback.outcome, schema::Outcome::GOAL);
+  EXPECT_THAT(view::pageData(collector.report(), {}), HasSubstr(R"("provisional":true)"));
+  const uint64_t serial = entry.paths[0].serial;
+  addAll(collector, {firstSolutionLine(first), progressLine(near, {&left}, 9)});
+  ASSERT_EQ(entry.paths.size(), 2u);
+  EXPECT_EQ(entry.paths[0].serial, serial) << "later progress keeps it";
+  EXPECT_EQ(entry.progress->reader().getProgress().getSteps(), 1000u);
+  addAll(collector, {line(improved)});
+  ASSERT_EQ(entry.paths.size(), 1u);
+  EXPECT_FALSE(entry.paths[0].provisional());
+  EXPECT_THAT(view::pageData(collector.report(), {}), Not(HasSubstr("provisional")));
+  addAll(collector, {firstSolutionLine(first)});
+  EXPECT_EQ(entry.paths.size(), 1u) << "the answer came first";
+}
+
+TEST(Collector, TheFirstSolutionAloneIsEnough) {
+  auto first = walk(kAhead, 200, true);
+  auto collector = strict();
+  addAll(collector, {kLevel, kQuery, firstSolutionLine(first), resultLine("solved", 200)});
+  ASSERT_EQ(collector.report().queries[0].paths.size(), 1u);
+  EXPECT_TRUE(collector.report().queries[0].paths[0].played());
 }
 
 // Trajectories that cannot be played are dropped, so a renderer may assume that all others were

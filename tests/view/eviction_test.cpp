@@ -160,6 +160,12 @@ TEST(Collector, DropsAllFurtherRecordsWithoutABudget) {
   EXPECT_EQ(collector.report().levels.size(), 1u);
   ASSERT_EQ(collector.report().notes.size(), 1u) << "it is said once";
   EXPECT_THAT(collector.report().notes[0], HasSubstr("memory budget is full"));
+  // A file has no such budget, as the note says.
+  EXPECT_THAT(collector.report().notes[0], HasSubstr("view it without --live"));
+  auto whole = strict();
+  addAll(whole, {kLevel, kQuery, resultLine("solved", 200), second});
+  EXPECT_TRUE(whole.report().queries[0].result);
+  EXPECT_EQ(whole.report().levels.size(), 2u);
 }
 
 // Answers that replace one another take the memory of one.

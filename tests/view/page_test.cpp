@@ -102,11 +102,18 @@ TEST(Page, NamesTheHardestStep) {
   steps[1].setStartTick(30);
   steps[1].setTo(1);
   steps[1].setBand(schema::Band::HARD);
+  steps[0].setTicks(30);
+  steps[1].setJumps(1);
+  steps[1].setWindow(250);
+  steps[1].setMargin(-0.5f);
+  steps[1].setClearance(0);
   auto report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
   ASSERT_TRUE(report) << report.error().text();
   const std::string data = view::pageData(*report, {});
   EXPECT_THAT(data, HasSubstr(R"("difficulty":{"band":"hard")"));
   EXPECT_THAT(data, HasSubstr(R"("hardest":{"startTick":30,"ticks":0,"from":-1,"to":1)"));
+  EXPECT_THAT(data, HasSubstr(R"("steps":[{"startTick":0,"ticks":30},{"startTick":30,"ticks":0,)"
+                              R"("window":250,"margin":-0.5,"clearance":0}])"));
   // The difficulty names a hardest step that does not exist.
   difficulty.setHardest(2);
   report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});

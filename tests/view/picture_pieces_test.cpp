@@ -28,7 +28,7 @@ long peak() {
 TEST(Picture, IsTheSameInAnyNumberOfPieces) {
   const Report shown = view_test::solvedReport();
   const auto drawn = [&](size_t atOnce) {
-    return pictureOf(shown.levels[0], &shown.queries[0], {160, 90, atOnce}).pixels;
+    return pictureOf(shown.levels[0], &shown.queries[0], {160, 90, true, atOnce}).pixels;
   };
   const std::vector<Rgb> whole = drawn(size_t(1) << 22);
   ASSERT_EQ(whole.size(), 160u * 90);

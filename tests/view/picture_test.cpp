@@ -185,8 +185,8 @@ TEST(Picture, ShowsPartsPathsAndIsTheSameEveryTime) {
 
 TEST(Drawing, HasPartsPathsAndAnEscapedTitle) {
   const Report shown = view_test::solvedReport();
-  for (const Side side : {Side::above, Side::lateral}) {
-    const std::string svg = drawingOf(shown.levels[0], &shown.queries[0], {side, 640});
+  for (const Side side : {Side::best, Side::above, Side::lateral}) {
+    const std::string svg = drawingOf(shown.levels[0], &shown.queries[0], {side, true, 640});
     EXPECT_EQ(svg.find("</script>"), std::string::npos);
     EXPECT_NE(svg.find("&lt;/script&gt;"), std::string::npos);
     EXPECT_NE(svg.find("class=\"part\""), std::string::npos);
@@ -195,6 +195,19 @@ TEST(Drawing, HasPartsPathsAndAnEscapedTitle) {
     EXPECT_NE(svg.find(">1</text>"), std::string::npos) << "the waypoint's number";
     EXPECT_EQ(svg.find("nan"), std::string::npos);
   }
+}
+
+TEST(Drawing, HasFailedAttemptsOnRequest) {
+  const Report shown = view_test::solvedReport();
+  for (const Side side : {Side::best, Side::above}) {
+    const std::string plain = drawingOf(shown.levels[0], &shown.queries[0], {side});
+    EXPECT_NE(plain.find("class=\"solution\""), std::string::npos);
+    EXPECT_EQ(plain.find("class=\"attempt\""), std::string::npos);
+    EXPECT_NE(drawingOf(shown.levels[0], &shown.queries[0], {side, true}).find("class=\"attempt\""),
+              std::string::npos);
+  }
+  EXPECT_NE(pictureOf(shown.levels[0], &shown.queries[0], {320, 180, true}).pixels,
+            pictureOf(shown.levels[0], &shown.queries[0], {320, 180, false}).pixels);
 }
 
 // A button makes a bridge appear, and bars blink in turn.
@@ -263,10 +276,20 @@ TEST(Drawing, SaysHowLongALongCourseIs) {
       view_test::collect({R"({"type":"level","name":"long","parts":[{"size":[1500,1,4]},)"
                           R"({"position":[1000,0,0],"size":[1500,1,4]}]})"});
   ASSERT_TRUE(shown) << shown.error().text();
-  const std::string svg = drawingOf(shown->levels[0], nullptr, {});
+  const std::string svg = drawingOf(shown->levels[0], nullptr, {Side::above});
   EXPECT_NE(svg.find(", 2500 studs across"), std::string::npos) << svg.substr(svg.size() - 200);
   EXPECT_EQ(lengthText(0.56666f), "0.567");
   EXPECT_EQ(lengthText(99.96f), "100");
+}
+
+TEST(Drawing, OfATowerIsNoHigherThanWide) {
+  const auto tower =
+      view_test::collect({R"({"type":"level","name":"tower","parts":[{"size":[10,400,10]}]})"});
+  ASSERT_TRUE(tower) << tower.error().text();
+  for (const Side side : {Side::best, Side::lateral}) {
+    const std::string svg = drawingOf(tower->levels[0], nullptr, {side, false, 600});
+    EXPECT_NE(svg.find("viewBox=\"0 0 600 630\""), std::string::npos) << svg.substr(0, 120);
+  }
 }
 
 // A camera on a large floor sees the floor, although all of its corners are outside the drawing.

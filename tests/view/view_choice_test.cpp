@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "view/course.h"
+#include "view/extent.h"
 
 namespace obby::view {
 namespace {
@@ -32,6 +35,54 @@ TEST(ViewChoice, IsNotBehindAWall) {
     const Camera camera = framed(subject.frame, look, 640, 360, true);
     EXPECT_GT((z - camera.eye.z) * z, 0) << "the eye is on the route's side; z " << z;
   }
+}
+
+TEST(ViewChoice, AnOrthographicCameraIsNotBehindADistantWall) {
+  for (const float z : {-300.0f, 300.0f}) {
+    const Vec3 look = bestLook(walkAlongX(), {wall({20, 200, z}, {900, 400, 1})}, 640, 360, false);
+    EXPECT_GT(look.z * z, 0) << "it looks towards the wall; z " << z;
+  }
+}
+
+TEST(ViewChoice, FramesTheClosestAttemptAndTheMissingStep) {
+  auto left = view_test::walk(view_test::kLeft, 300), near = view_test::walk(view_test::kAhead, 40);
+  io::RecordBuilder progress,
+      answer(view_test::recordOf(view_test::resultLine("unreachable", 0)).reader());
+  progress.root().initProgress().setQuery("ahead");
+  progress.root().getProgress().setBest(near.reader().getTrajectory());
+  const std::vector<std::string> lines = {view_test::kLevel, view_test::kQuery,
+                                          view_test::line(progress)};
+  const auto running = view_test::collect(lines);
+  ASSERT_TRUE(running) << running.error().text();
+  const size_t framed = subjectOf(running->levels[0], &running->queries[0]).frame.size();
+  answer.root().getResult().initCut().setTo(4);
+  const auto failed = view_test::collect(
+      {view_test::kLevel, view_test::kQuery, view_test::line(left), view_test::line(answer)});
+  ASSERT_TRUE(failed) << failed.error().text();
+  const Subject subject = subjectOf(failed->levels[0], &failed->queries[0]);
+  EXPECT_EQ(subject.frame.back(), (Vec3{-24, 0, -20})) << "the rock";
+  EXPECT_GT(framed, subject.frame.size()) << "failed attempts are not framed";
+}
+
+TEST(ViewChoice, FramesTheFloorAroundTheStart) {
+  const Report shown = view_test::solvedReport();
+  const Subject subject = subjectOf(shown.levels.at(0), &shown.queries.at(0));
+  // The floor is 10 studs wide and begins 5 studs behind the start.
+  for (const Vec3 corner : {Vec3{-5, 0, 5}, Vec3{5, 0, 5}, Vec3{5, 0, -12}})
+    EXPECT_NE(std::find(subject.frame.begin(), subject.frame.end(), corner), subject.frame.end());
+}
+
+TEST(ViewChoice, AHugeGroundIsNotFramed) {
+  const auto place = [](const char* size) {
+    return view_test::collect(
+        {std::string(R"({"type":"level","name":"place","parts":[{"position":[0,-8,0],"size":)") +
+         size + R"(},{"position":[40,2,0],"size":[4,4,4]},{"size":[12,1,12]}]})"});
+  };
+  const auto huge = place("[2048,16,2048]"), plain = place("[200,16,200]");
+  ASSERT_TRUE(huge) << huge.error().text();
+  ASSERT_TRUE(plain) << plain.error().text();
+  EXPECT_EQ(courseOf(huge->levels[0]).hi.x, 42);
+  EXPECT_EQ(courseOf(plain->levels[0]).hi.x, 100);
 }
 
 TEST(ViewChoice, ReadsFromLeftToRight) {

@@ -2,6 +2,7 @@
 // distinguishable rows, a player at its start, no clock if nothing can be played, and a legend of
 // the colours.
 import assert from 'node:assert/strict';
+import { coloring } from '../../web/src/coloring.js';
 import { routeNames } from '../../web/src/route_names.js';
 import { solutionNames } from '../../web/src/solution_names.js';
 import { decimal } from '../../web/src/ui/dom.js';
@@ -162,6 +163,15 @@ test('the heat map has a scale', async ({ page }) => {
   await page.evaluate(() => window.obby.store.set({ heatTrajectories: false }));
   await page.keyboard.press('9');
   assert.equal(await scale.count(), 0);
+});
+
+test('the legend tells the closest attempt from the failed ones', () => {
+  const paths = [{ kind: 'closest', outcome: 'running' }, { kind: 'attempt', outcome: 'fell' }];
+  const { legend } = coloring({ paths }, undefined, 'outcome');
+  assert.deepEqual(
+    legend.map(([label, , swatch]) => [label, swatch]),
+    [['Fell', 'attempt'], ['Unfinished', 'solution']],
+  );
 });
 
 test('the clock is hidden if nothing can be played', async ({ page }) => {

@@ -168,6 +168,55 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   assert.equal(await viewer.stop(), 130);
 });
 
+test('the first solution is shown at once and gives way to the improved one', async ({ browser }) => {
+  const viewer = new Viewer(options.viewer);
+  const { page, trouble } = await openLive(browser, await viewer.address);
+  viewer.write(header, level, query, progress(1, attempts[0], []));
+  await started(page);
+  await trajectoriesAre(page, 1);
+  assert.ok(['closest', undefined].includes(await page.evaluate(() => window.obby.path()?.kind)));
+  viewer.write({ type: 'progress', query: 'any', seconds: 0.5, solution: solutions.at(-1) });
+  await page.waitForFunction(() => window.obby.path()?.provisional);
+  await frames(page, 2);
+  assert.equal(await page.locator('.detail .verdict').innerText(), 'Solved, being improved');
+  assert.match(await page.locator('.detail .numbers').first().innerText(), /Play time so far/i);
+  assert.match(await page.locator('.path').first().innerText(), /first found/);
+  assert.match(await page.locator('.head').innerText(), /1 of 1 query solved/);
+  await options.picture(page, 'live-improving');
+  await set(page, { tick: 10 });
+  viewer.write(result, solutions[0]);
+  await page.waitForFunction(() => window.obby.path() && !window.obby.path().provisional);
+  await trajectoriesAre(page, 1);
+  assert.equal((await state(page)).tick, 10, 'the clock stays');
+  assert.equal(await page.locator('.detail .verdict').innerText(), 'Solved');
+
+  // A cleared selection stays cleared.
+  await set(page, { path: -1 });
+  viewer.write(solutions[1]);
+  await trajectoriesAre(page, 2);
+  assert.equal((await state(page)).path, -1);
+  assert.deepEqual(trouble, []);
+  await page.context().close();
+  await viewer.stop();
+});
+
+test('a stream that ends before the final answer keeps the first solution', async ({ browser }) => {
+  const viewer = new Viewer(options.viewer);
+  const { page } = await openLive(browser, await viewer.address);
+  viewer.write(header, level, query);
+  viewer.write({ type: 'progress', query: 'any', seconds: 0.5, solution: solutions[0] });
+  await started(page);
+  await trajectoriesAre(page, 1);
+  viewer.end();
+  await page.waitForFunction(() => document.querySelector('.live .name').textContent === 'Cut short');
+  assert.equal(
+    await page.locator('.detail .verdict').innerText(),
+    'Solved, but the final answer is missing',
+  );
+  await page.context().close();
+  await viewer.stop();
+});
+
 test('a page that loses the server catches up', async ({ browser }) => {
   const viewer = new Viewer(options.viewer);
   const { page } = await openLive(browser, await viewer.address);

@@ -1,13 +1,14 @@
-// Makes the picture and the film of the guides from a report of levels/demo.rbxlx, for
-// scripts/pictures: node pictures.mjs WEB CHROMIUM REPORT FOLDER
+// Makes the picture and the film of the guides from reports of levels/demo.rbxlx, for
+// scripts/pictures: node pictures.mjs WEB CHROMIUM REPORT WHOLE FOLDER
+// REPORT has its stages, WHOLE a run from the start to the last pad.
 import { join } from 'node:path';
 import { frames, launch, openReport } from './browser.mjs';
 
-const [web, chromium, report, folder] = process.argv.slice(2);
+const [web, chromium, report, whole, folder] = process.argv.slice(2);
 const kPage = { attempts: false, density: 1, viewport: { width: 1360, height: 800 } };
-const kFilm = { ...kPage, viewport: { width: 960, height: 560 } };
+// The film's bits grow with its pixels: 20 seconds of this size take less than 1.5 MB.
+const kFilm = { ...kPage, viewport: { width: 528, height: 484 } };
 const kQuery = '#q=stage3';
-const kSlow = 0.5; // speed of the film
 const kPatience = 900000; // ms; without a GPU a picture of the film takes half a second
 
 const browser = await launch(web, chromium);
@@ -18,8 +19,8 @@ try {
   await page.screenshot({ path: join(folder, 'viewer.jpg'), type: 'jpeg', quality: 85 });
   await page.context().close();
 
-  const filmed = await openReport(browser, report, { ...kFilm, fragment: kQuery });
-  const values = { follow: true, isolate: true, speed: kSlow };
+  const filmed = await openReport(browser, whole, kFilm);
+  const values = { follow: true, isolate: true };
   await filmed.page.evaluate((v) => window.obby.store.set(v), values);
   await frames(filmed.page, 30); // the camera arrives behind the player
   const [film] = await Promise.all([

@@ -211,6 +211,12 @@ const difficulty = {
   success: 0.42,
   expectedAttempts: 2.4,
   noise: 'average player',
+  steps: [
+    { startTick: 0, ticks: 60, margin: 1.5 },
+    { startTick: 60, ticks: 30, clearance: 0.25, margin: 2.5 },
+    { startTick: 90, ticks: 45, window: 83.3, margin: -0.2 },
+    { startTick: 135, ticks: 1000 },
+  ],
   hardest: { startTick: 90, ticks: 45, from: 2, to: 4, jumps: 1, band: 'hard', window: 83.3 },
 };
 

@@ -6,6 +6,7 @@ import { foundParts, partTree } from '../../web/src/part_tree.js';
 import { rangeOf } from '../../web/src/playback.js';
 import { measure, rulerText } from '../../web/src/ruler.js';
 import { byScalar } from '../../web/src/scalar_colors.js';
+import { byStep } from '../../web/src/step_colors.js';
 import { parseTime } from '../../web/src/ui/clock.js';
 import { frames, state } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -63,6 +64,25 @@ test('colours along a line follow speed and height', () => {
   assert.deepEqual(byScalar({ paths: [] }, 'speed', 60).legend, []);
 });
 
+test('colours by margin and by time to press follow the steps of a solution', () => {
+  const { steps } = report.queries[0].trajectories[0].difficulty;
+  const path = { difficulty: { steps }, tickOf: (i) => i };
+  const bare = { tickOf: (i) => i };
+  const margin = byStep({ paths: [path, bare] }, 'margin');
+  const at = (tick) => margin.along(path, tick);
+  const [least, , most, none] = margin.legend.map(([, color]) => color);
+  assert.equal(at(100), least, 'beyond the edge');
+  assert.equal(margin.of(path), least, 'a trajectory is as its closest step');
+  assert.notEqual(at(0), at(70));
+  assert.notEqual(at(70), most, 'the nearer of edge and part that kills counts');
+  assert.equal(at(140), none);
+  assert.equal(margin.along(bare, 0), none);
+  const window = byStep({ paths: [path] }, 'window');
+  assert.equal(window.along(path, 0), none, 'a step without a jump');
+  assert.notEqual(window.along(path, 90), none);
+  assert.deepEqual(byStep({ paths: [bare] }, 'window').legend.map(([label]) => label), ['Not measured']);
+});
+
 test('two clicks measure, and Escape ends it', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('m');
@@ -88,7 +108,7 @@ test('a click on the clock takes a time', async ({ page }) => {
   await page.keyboard.type('1.5');
   await page.keyboard.press('Enter');
   assert.equal((await state(page)).tick, 90);
-  assert.match(await page.locator('.clock .time').innerText(), /^1\.50 \//);
+  assert.match(await page.locator('.clock .time').innerText(), /^1\.500 \//);
   await page.locator('.clock .time').click();
   await page.keyboard.type('l');
   await page.keyboard.press('Escape');
@@ -96,12 +116,38 @@ test('a click on the clock takes a time', async ({ page }) => {
   assert.deepEqual([tick, loop, path], [90, true, 0], 'letters in the field are no shortcuts');
 });
 
+test('comma and period step one tick, and clock and player are exact', async ({ page }) => {
+  await page.locator('#view').focus();
+  const { rate, points } = await page.evaluate(() => {
+    const [path] = window.obby.query().paths;
+    return { rate: window.obby.playback.rateOf(), points: [...path.points.slice(0, 12)] };
+  });
+  await put(page, { tick: 0.4, playing: true });
+  for (const tick of [1, 2, 3]) {
+    await page.keyboard.press('.');
+    assert.deepEqual([(await state(page)).tick, (await state(page)).playing], [tick, false]);
+    const time = (tick / rate).toFixed(3);
+    const shown = await page.locator('.clock').innerText();
+    assert.ok(shown.startsWith(`${time} /`) && shown.includes(`tick ${tick}`), shown);
+    const at = await page.evaluate((t) => window.obby.path().poseAt(t), tick);
+    assert.deepEqual([at.x, at.y, at.z], points.slice(3 * tick, 3 * tick + 3));
+  }
+  await page.keyboard.press(',');
+  assert.equal((await state(page)).tick, 2);
+  // A typed time leads to the tick that shows it.
+  await page.locator('.clock .time').click();
+  await page.keyboard.type((7 / rate).toFixed(2));
+  await page.keyboard.press('Enter');
+  assert.equal((await state(page)).tick, 7);
+  await page.locator('#view').focus();
+});
+
 test('the loop runs in a range', async ({ page }) => {
   await page.locator('#view').focus();
   await put(page, { tick: 100 });
-  await page.keyboard.press(',');
+  await page.keyboard.press('<');
   await put(page, { tick: 130 });
-  await page.keyboard.press('.');
+  await page.keyboard.press('>');
   assert.equal(await page.locator('.profile .range').count(), 1);
   await put(page, { playing: true, tick: 120 });
   const ticks = await page.evaluate(() => {
@@ -138,6 +184,9 @@ test('speed colours the lines, and the legend is its scale', async ({ page }) =>
   assert.equal(await colored(), true);
   assert.match(await page.locator('.legend').innerText(), /studs\/s/);
   await frames(page, 2);
+  await put(page, { colorBy: 'margin' });
+  assert.equal(await colored(), true);
+  assert.match(await page.locator('.legend').innerText(), /2 studs or more/);
   await put(page, { colorBy: 'outcome' });
   assert.equal(await colored(), false);
 });
@@ -197,6 +246,7 @@ test('the picture and the film are saved', async ({ page, browser }) => {
   assert.match(film.name, /\.webm$/);
   assert.equal(film.bytes.readUInt32BE(0), 0x1a45dfa3, 'the beginning of a WebM file');
   assert.ok(film.bytes.length > 4000);
+  assert.ok(film.bytes.includes('V_VP9'), 'this browser encodes VP9');
   const seen = await played(browser, film.bytes);
   assert.ok(Math.abs(seen.duration - 31 / 30) < 0.08, `${seen.duration} s: 16 pictures and 15 held`);
   assert.ok(Math.abs(seen.width - width) < 2);

@@ -5,6 +5,7 @@ import { Solids, entry } from '../../web/src/scene/solids.js';
 import { bestDirection, visibleShare } from '../../web/src/scene/view_choice.js';
 import { axesOf, fitted } from '../../web/src/scene/framing.js';
 import { headingAt } from '../../web/src/scene/follow_camera.js';
+import { cornersOf, subjectOf } from '../../web/src/scene/subject.js';
 import { arrive, frames, openReport, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
@@ -72,6 +73,22 @@ test('the first view is not behind a wall', () => {
   }
   const glass = new Solids(blocks([[20, 20, 14], [90, 40, 2], 60]));
   assert.equal(visibleShare(seen, new Vector3(20, 10, 60), glass), 1, 'glass hides nothing');
+});
+
+test('the floor around the start is framed, and a huge ground is not', () => {
+  const level = blocks(
+    [[0, -8, 0], [2048, 16, 2048]],
+    [[40, 2, 0], [4, 4, 4]],
+    [[0, 0, 0], [12, 1, 12]],
+  );
+  const farthest = (corners) => Math.max(...corners.filter((_, i) => i % 3 === 0));
+  assert.equal(farthest(cornersOf(level)), 42);
+  assert.equal(farthest(cornersOf(blocks([[0, -8, 0], [200, 16, 200]], [[0, 0, 0], [4, 4, 4]]))), 100);
+  const query = { startPosition: [0, 0.5, 0], goals: [], visits: [], waypoints: [], paths: [] };
+  const { frame } = subjectOf(query, level);
+  assert.equal(farthest(frame), 6, 'of the pad, not of the ground below it');
+  const onGround = subjectOf({ ...query, startPosition: [20, 0, 0] }, level).frame;
+  assert.equal(farthest(onGround), 32, 'no farther than near');
 });
 
 test('the heading of a followed player ignores hops on the spot', () => {

@@ -50,9 +50,11 @@ Result<std::string> png(const view::Report& report, const cli::Context& context)
 Result<std::string> svg(const view::Report& report, const cli::Context& context) {
   OBBY_ASSIGN(const view::PictureOptions options, pictureOptions(context.arguments()));
   OBBY_ASSIGN(const Subject subject, subjectOf(report));
-  const bool fromSide = context.arguments().text("from") == "side";
-  return drawingOf(*subject.level, subject.query,
-                   {fromSide ? view::Side::lateral : view::Side::above, options.width});
+  const std::string& from = context.arguments().text("from");
+  const view::Side side = from == "side"    ? view::Side::lateral
+                          : from == "above" ? view::Side::above
+                                            : view::Side::best;
+  return drawingOf(*subject.level, subject.query, {side, options.attempts, options.width});
 }
 
 Result<std::string> rbxmx(const view::Report& report, const cli::Context&) {

@@ -62,8 +62,11 @@ std::vector<OptionRow> pictureRows() {
   return {row("size", ValueType::text, "WIDTHxHEIGHT", "",
               "size in pixels; with svg, the height is ignored [default: 1280x720]", kPictureGroup),
           cli::choosing(row("from", ValueType::choice, "", "",
-                            "direction of view (svg only) [default: above]", kPictureGroup),
-                        {"above", "side"})};
+                            "direction of view (svg only); best: the side that hides least, as "
+                            "in a png [default: best]",
+                            kPictureGroup),
+                        {"best", "above", "side"}),
+          flagRow("attempts", "draw failed attempts, too", kPictureGroup)};
 }
 
 constexpr const char* kLive = "Live page";
@@ -98,8 +101,8 @@ cli::ToolSpec viewSpec() {
       {"Watch a search in the browser, at the address that is printed",
        "obby-solve --query right several-routes.jsonl | obby-view --live --live-exit"},
       {"Look at a level before anything is solved", "obby-view -o level.html teaser.jsonl"},
-      {"Draw a solution from the side, as a vector drawing",
-       "obby-solve --query right several-routes.jsonl | obby-view --from side -o route.svg"},
+      {"Draw a map of a solution, as a vector drawing",
+       "obby-solve --query right several-routes.jsonl | obby-view --from above -o route.svg"},
   };
   spec.options = cli::joined({{commonRow(cli::Common::output), formatRow(), onErrorRow()},
                               contentRows(),
@@ -118,7 +121,8 @@ Status refuseIdle(const cli::Arguments& arguments) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"port", "live-exit"},
                                           "has no effect without --live", "add --live"));
   } else if (!arguments.has("output")) {
-    return cli::refuseTyped(arguments, {"format", "width", "ascii", "no-map", "size", "from"},
+    return cli::refuseTyped(arguments,
+                            {"format", "width", "ascii", "no-map", "size", "from", "attempts"},
                             "cannot be combined with --live unless -o names a file", "add -o FILE");
   }
   const std::string format = wantedFormat(arguments).name;
@@ -131,7 +135,7 @@ Status refuseIdle(const cli::Arguments& arguments) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"full"}, message, kCure));
   }
   if (format != "png" && format != "svg") {
-    OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"size"}, message, kCure));
+    OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"size", "attempts"}, message, kCure));
   }
   if (format == "svg") return {};
   return cli::refuseTyped(arguments, {"from"}, message, kCure);
@@ -139,6 +143,7 @@ Status refuseIdle(const cli::Arguments& arguments) {
 
 Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments) {
   view::PictureOptions options;
+  options.attempts = arguments.flag("attempts");
   if (!arguments.has("size")) return options;
   const std::string& text = arguments.text("size");
   const char* const end = text.data() + text.size();

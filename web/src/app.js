@@ -23,10 +23,13 @@ import { Trajectories } from './trajectories.js';
 /** @import {Level, Query, Report, State} from './types/report.js' */
 
 export class App {
-  /** @param {Report} report */
-  constructor(report) {
+  /**
+   * @param {Report} report
+   * @param {State} initial
+   */
+  constructor(report, initial = INITIAL) {
     this.report = report;
-    this.store = new Store(INITIAL);
+    this.store = new Store(initial);
     this.playback = new Playback(
       this.store,
       () => this.length(),
@@ -247,17 +250,10 @@ export class App {
     const level = this.level();
     if (state.follow && path && level) this.views.follow(path, tick, level);
     this.stage.resize();
-    const before = this.view();
+    const before = this.views.stamp();
     this.stage.rig.update(passed, this.shift);
-    if (this.dirty || before !== this.view()) this.draw(tick, path);
+    if (this.dirty || before !== this.views.stamp()) this.draw(tick, path);
     requestAnimationFrame((next) => this.frame(next));
-  }
-
-  view() {
-    const { position, quaternion, aspect } = this.stage.rig.camera;
-    return [...position.toArray(), ...quaternion.toArray(), aspect]
-      .map((value) => value.toFixed(4))
-      .join();
   }
 
   // Clears the picture of a query whose level is missing, so that the previous one does not remain.

@@ -1,6 +1,6 @@
-// Colours of trajectories by outcome, route, method, time, jumps, difficulty, speed or height, with
-// legends.
-import { routeKey } from './choice.js';
+// Colours of trajectories by outcome, route, method, time, jumps, difficulty, speed, height or
+// closeness to failing, with legends.
+import { isAttempt, routeKey } from './choice.js';
 import { NO_VALUE_COLOR as kNone, rampColor } from './color_ramps.js';
 import {
   BAND_STYLE,
@@ -13,6 +13,7 @@ import {
 } from './palette.js';
 import { routeNames } from './route_names.js';
 import { byScalar } from './scalar_colors.js';
+import { byStep } from './step_colors.js';
 import { tally } from './tally.js';
 import { plural } from './ui/dom.js';
 
@@ -29,6 +30,8 @@ export const COLORINGS = {
   difficulty: 'difficulty',
   speed: 'speed',
   height: 'height',
+  margin: 'margin',
+  window: 'time to press',
 };
 
 // The palette of Okabe and Ito for colour-blind readers (https://jfly.uni-koeln.de/color/), without
@@ -48,7 +51,10 @@ function byOutcome(query) {
     legend.push([VERDICT_STYLE.mismatch.label, VERDICT_STYLE.mismatch.color, 'solution']);
   for (const outcome of OUTCOMES) {
     const { label, color } = OUTCOME_STYLE[outcome];
-    if (outcome !== 'goal' && outcomes.has(outcome)) legend.push([label, color, 'attempt']);
+    if (outcome === 'goal' || !outcomes.has(outcome)) continue;
+    // The closest and the newest trajectory are drawn even without the failed attempts.
+    const drawn = query.paths.some((path) => path.outcome === outcome && !isAttempt(path));
+    legend.push([label, color, drawn ? 'solution' : 'attempt']);
   }
   return { of: pathColor, legend };
 }
@@ -152,6 +158,7 @@ export function coloring(query, level, mode) {
       (v) => plural(Math.round(v), 'jump'),
     );
   if (mode === 'speed' || mode === 'height') return byScalar(query, mode, rate);
+  if (mode === 'margin' || mode === 'window') return byStep(query, mode);
   if (mode === 'difficulty') return byDifficulty(query);
   return byOutcome(query);
 }

@@ -24,6 +24,18 @@ function onlyNumbers(before, now) {
   return rest(before) === rest(now) && before.paths.every((path, i) => path === now.paths[i]);
 }
 
+/**
+ * Returns the index of a trajectory after an update. Indices may have changed, and a trajectory may
+ * have arrived again with fewer samples. A first solution has become the improved one.
+ * @param {Path | undefined} path
+ * @param {Path[]} paths
+ */
+function successor(path, paths) {
+  if (!path) return -1;
+  const same = paths.findIndex(({ serial }) => serial === path.serial);
+  return same >= 0 || !path.provisional ? same : paths.findIndex(({ kind }) => kind === 'solution');
+}
+
 export class Live {
   /**
    * `begin`: report -> app. `fail`: reports why there is nothing to show.
@@ -39,6 +51,8 @@ export class Live {
     this.live = new LiveReport();
     /** @type {boolean | undefined} */
     this.connected = undefined; // unknown
+    this.taking = false; // news is being merged
+    this.chosen = false; // the reader has selected a trajectory of this query, or cleared it
     this.mark = new LiveMark();
     side.append(this.mark.root);
     this.feed = new LiveFeed({
@@ -72,16 +86,20 @@ export class Live {
     const ghost = app?.ghost();
     const before = app?.query();
     const changed = live.take(raw, [chosen, ghost]);
+    this.taking = true;
     if (app) {
       this.refresh(app, changed, before, [chosen, ghost]);
       if (!before && app.query() && !app.moved) app.views.query(true);
+      this.selectFirst(app);
       this.followNewest(app, changed.fresh);
     } else if (live.report.levels.length) {
       this.app = this.begin(live.report);
       this.app.live = this;
+      this.watchSelection(this.app);
       this.side.prepend(this.mark.root);
       this.mark.bind(this.app.store);
     }
+    this.taking = false;
     this.show();
   }
 
@@ -108,10 +126,8 @@ export class Live {
     const { store, stage } = app;
     if (stage.level !== app.level()) app.glowing = -1; // it refers to a part of the removed level
     app.openQuery();
-    // Indices may have changed, and a trajectory may have arrived again with fewer samples.
     const paths = app.query()?.paths ?? [];
-    const indexOf = (/** @type {Path | undefined} */ path) =>
-      path ? paths.findIndex(({ serial }) => serial === path.serial) : -1;
+    const indexOf = (/** @type {Path | undefined} */ path) => successor(path, paths);
     store.set({ path: indexOf(chosen), ghost: indexOf(ghost), hoverPath: -1 });
     app.filters.refresh();
     app.trajectories.choose();
@@ -121,6 +137,29 @@ export class Live {
     app.showPart();
     app.timeline.draw();
     app.timeline.showTime();
+  }
+
+  /** @param {App} app */
+  watchSelection({ store }) {
+    this.chosen = /\btraj=/.test(location.hash);
+    store.on(['path'], () => {
+      this.chosen ||= !this.taking;
+    });
+    // Registered after the app's listener, which selects a trajectory of the new query.
+    store.on(['query'], () => {
+      this.chosen = false;
+    });
+  }
+
+  /**
+   * Selects the first solution in place of the page's own selection.
+   * @param {App} app
+   */
+  selectFirst(app) {
+    const first = app.firstPath();
+    const isSolution = app.query()?.paths[first]?.kind === 'solution';
+    if (this.chosen || !isSolution || app.path()?.kind === 'solution') return;
+    app.store.set({ path: first, tick: 0 });
   }
 
   /**

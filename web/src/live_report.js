@@ -35,7 +35,7 @@ export class LiveReport {
 
   /**
    * `raw`: an answer of /data. `kept`: trajectories in view, which stay even if the stream has
-   * replaced them. Returns {levels, queries}, the indices of the changed ones, and `fresh`, the new
+   * replaced them, except a first solution, which its improved one replaces. Returns {levels, queries}, the indices of the changed ones, and `fresh`, the new
    * trajectories.
    * @param {LivePiece} raw
    * @param {(Path | undefined)[]} kept
@@ -84,7 +84,7 @@ export class LiveReport {
       bySerial.set(serial, path);
     }
     own.paths = [...bySerial]
-      .filter(([serial, path]) => isIn(serials, serial) || kept.includes(path))
+      .filter(([serial, path]) => isIn(serials, serial) || (kept.includes(path) && !path.provisional))
       .map(([, path]) => path);
     for (const path of own.paths) path.query = own;
     queries[index] = own;

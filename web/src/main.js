@@ -3,7 +3,9 @@ import { App } from './app.js';
 import { readReport } from './data.js';
 import { Live } from './live.js';
 import { byId } from './page.js';
+import { INITIAL } from './store.js';
 import { el } from './ui/dom.js';
+import { keepSettings, keptSettings } from './view_settings.js';
 
 /** @import {LiveData, PageData} from './types/page_data.js' */
 /** @import {Report} from './types/report.js' */
@@ -23,7 +25,9 @@ function fail(error) {
 function start() {
   try {
     const begin = (/** @type {Report} */ report) => {
-      const app = new App(report);
+      const kept = keptSettings();
+      const app = new App(report, { ...INITIAL, ...kept, follow: false });
+      keepSettings(app, kept);
       window.obby = app; // for tests and debugging
       return app;
     };

@@ -42,13 +42,15 @@ export const OUTCOMES = /** @type {Outcome[]} */ (Object.keys(OUTCOME_STYLE));
 
 /**
  * The verdict that a query shows, or its state without one.
- * @typedef {Verdict | 'doubtful' | 'mismatch' | 'running' | 'waiting' | 'none'} ShownVerdict
+ * @typedef {Verdict | 'doubtful' | 'improving' | 'found' | 'mismatch' | 'running' | 'waiting' | 'none'} ShownVerdict
  */
 
 /** @type {Record<ShownVerdict, {label: string, short?: string, color: string, mark: string}>} */
 export const VERDICT_STYLE = {
   solved: { label: 'Solved', color: '#5fd6a2', mark: '✓' },
   doubtful: { label: 'Solved, in doubt', color: '#c9d66a', mark: '✓' },
+  improving: { label: 'Solved, being improved', short: 'Improving', color: '#5fd6a2', mark: '✓' },
+  found: { label: 'Solved, but the final answer is missing', short: 'Cut short', color: '#c9d66a', mark: '✓' },
   unreachable: { label: 'Unreachable', color: '#f0484e', mark: '✕' },
   unknown: { label: 'Unknown', color: '#e6c85a', mark: '?' },
   mismatch: { label: 'Replay mismatch', color: '#ff7ad9', mark: '≠' },
@@ -100,6 +102,15 @@ function isDoubtful(result) {
   return result.verdict === 'solved' && result.holds === false;
 }
 
+/** @type {ShownVerdict[]} */
+const SOLVED = ['solved', 'doubtful', 'improving', 'found'];
+
+/**
+ * Returns true if the query has a solution that replays.
+ * @param {Query} query
+ */
+export const isSolved = (query) => SOLVED.includes(verdictOf(query));
+
 /**
  * @param {Query} query
  * @returns {ShownVerdict}
@@ -107,6 +118,7 @@ function isDoubtful(result) {
 export function verdictOf(query) {
   if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
   if (query.result) return isDoubtful(query.result) ? 'doubtful' : query.result.verdict;
+  if (query.paths.some(({ provisional }) => provisional)) return query.running ? 'improving' : 'found';
   if (query.running) return query.progress ? 'running' : 'waiting';
   return 'none';
 }

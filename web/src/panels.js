@@ -11,6 +11,7 @@ import { ScenePanel } from './ui/scene_panel.js';
 import { Sidebar } from './ui/sidebar.js';
 import { Timeline } from './ui/timeline.js';
 import { toolsOf } from './ui/tools.js';
+import { resetSettings } from './view_settings.js';
 
 /** @import {App} from './app.js' */
 /** @import {Path} from './path.js' */
@@ -46,7 +47,7 @@ export function panelsOf(app) {
     tools: toolsOf(app),
   });
   const hud = new Hud(byId('hud'));
-  const help = new Help(dialog());
+  const help = new Help(dialog(), () => resetSettings(app));
   timeline.addButton('◐', 'Switch between light and dark (Y)', () => nextTheme(store));
   timeline.addButton('?', 'Shortcuts (?)', () => help.toggle());
   return { list, filters, sidebar, comparison, timeline, scenePanel, hud, help };

@@ -46,6 +46,7 @@ export class Path {
   constructor(raw, query) {
     this.query = query;
     this.kind = raw.kind;
+    this.provisional = raw.provisional === true; // the search still improves it
     this.index = raw.index;
     this.method = raw.method;
     this.body = raw.body;

@@ -3,6 +3,8 @@
 /** @import {Store} from './store.js' */
 /** @import {State} from './types/report.js' */
 
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 10];
+
 /**
  * Returns the ticks between which playback runs: the loop's range, or the whole length.
  * @param {Pick<State, 'loop' | 'loopFrom' | 'loopTo'>} state
@@ -82,8 +84,7 @@ export class Playback {
 
   /** @param {number} by */
   faster(by) {
-    const speeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
-    const at = speeds.findIndex((speed) => speed >= this.store.state.speed - 1e-9);
-    this.store.set({ speed: speeds[Math.min(Math.max(0, at + by), speeds.length - 1)] });
+    const at = SPEEDS.findIndex((speed) => speed >= this.store.state.speed - 1e-9);
+    this.store.set({ speed: SPEEDS[Math.min(Math.max(0, at + by), SPEEDS.length - 1)] });
   }
 }

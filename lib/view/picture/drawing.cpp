@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "geom/shapes/table.h"
 #include "io/text.h"
 #include "view/extent.h"
+#include "view/picture/drawn_parts.h"
+#include "view/picture/view_choice.h"
 #include "view/picture/world.h"
 #include "view/raster.h"
 #include "view/thinning.h"
@@ -17,10 +17,9 @@ namespace obby::view {
 
 namespace {
 
-constexpr int kOutline = 48;        // directions in which support points of an outline are queried
-constexpr float kPaperMargin = 12;  // pixels
-constexpr float kLegend = 30;       // pixels below the drawing
-constexpr float kMinHeight = 80;    // pixels
+constexpr float kLegend = 30;            // pixels below the drawing
+constexpr float kMinHeight = 80;         // pixels
+constexpr float kBeyond = 2;             // studs around the subject of a drawing
 constexpr float kThinnedPixels = 0.15f;  // tolerance of simplified trajectories
 
 constexpr const char* kStyle =
@@ -33,102 +32,54 @@ constexpr const char* kStyle =
     "@media(prefers-color-scheme:dark){.page{fill:#181a1f}text{fill:#ddd}.part{stroke:#fff6}"
     ".solution{stroke:#ffb81c}.attempt{stroke:#c49a86}}</style>\n";
 
-// Maps the world to paper: the level runs to the right and down.
-struct Paper {
-  Vec3 across, down;  // unit vectors in world axes
-  float scale = 1;    // pixels per stud
-  Vec2 origin;        // paper coordinates of the upper left corner, studs
-
-  Vec2 of(Vec3 v) const {
-    return {(dot(v, across) - origin.x) * scale + kPaperMargin,
-            (dot(v, down) - origin.y) * scale + kPaperMargin};
-  }
-  Vec3 toward() const { return -cross(across, -down); }  // the viewing direction
-};
-
 struct Sheet {
   Paper paper;
   float width, height;  // pixels
 };
 
-Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& options) {
-  const Vec3 along = alongOf(extent, query);
-  Paper paper;
-  paper.across = along;
-  // The drawing is never mirrored: from above, the right-hand side along the level is down.
-  paper.down = options.side == Side::above ? cross(along, Vec3{0, 1, 0}) : Vec3{0, -1, 0};
+// Fits the drawing to the points. It is no higher than wide. `points` must not be empty.
+Sheet sheetOf(Vec3 across, Vec3 down, const std::vector<Vec3>& points, int width) {
   float x0 = 1e30f, x1 = -1e30f, y0 = 1e30f, y1 = -1e30f;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 corner{i & 1 ? extent.hi.x : extent.lo.x, i & 2 ? extent.hi.y : extent.lo.y,
-                      i & 4 ? extent.hi.z : extent.lo.z};
-    x0 = std::min(x0, dot(corner, paper.across)), x1 = std::max(x1, dot(corner, paper.across));
-    y0 = std::min(y0, dot(corner, paper.down)), y1 = std::max(y1, dot(corner, paper.down));
+  for (const Vec3 p : points) {
+    x0 = std::min(x0, dot(p, across)), x1 = std::max(x1, dot(p, across));
+    y0 = std::min(y0, dot(p, down)), y1 = std::max(y1, dot(p, down));
   }
-  paper.scale = (float(options.width) - 2 * kPaperMargin) / std::max(x1 - x0, 1.0f);
-  paper.origin = {x0, y0};
-  return {paper, float(options.width),
-          std::max((y1 - y0) * paper.scale + 2 * kPaperMargin, kMinHeight) + kLegend};
+  const float space = float(width) - 2 * kPaperMargin;  // pixels
+  const float scale = space / std::max({x1 - x0, y1 - y0, 1.0f});
+  const float left = (x0 + x1 - space / scale) / 2;
+  return {{across, down, scale, {left, y0}},
+          float(width),
+          std::max((y1 - y0) * scale + 2 * kPaperMargin, kMinHeight) + kLegend};
 }
 
-std::string pathData(const std::vector<Vec2>& points, bool closed) {
-  std::string out;
-  for (const Vec2 p : points)
-    out += fmt::format("{}{:.1f} {:.1f}", out.empty() ? "M" : "L", double(p.x), double(p.y));
-  return out + (closed ? "Z" : "");
-}
-
-std::vector<Vec2> outlineOf(const Solid& solid, const Paper& paper) {
-  std::vector<Vec2> points;
-  geom::visitShape(solid.kind, [&](auto shape) {
-    for (int i = 0; i < kOutline; ++i) {
-      const float angle = float(i) * 6.2831853f / kOutline;
-      const Vec3 toward = paper.across * std::cos(angle) + paper.down * std::sin(angle);
-      const Vec3 local = toLocal(solid.pose.rotation, toward);
-      points.push_back(paper.of(toWorld(solid.pose, shape.corner(solid.shape, local))));
+// The direction is that of a picture (view_choice.h). The size of a trial is as wide as the page.
+Sheet bestSheet(const LevelEntry& level, const QueryEntry* query, const World& world, int width) {
+  const Subject subject = subjectOf(level, query);
+  const int height = width * 9 / 16;
+  const Vec3 look = bestLook(subject, world.solids, width, height, false);
+  const Camera camera = framed(subject.frame, look, width, height, false);
+  std::vector<Vec3> points;
+  for (const Vec3 p : subject.frame) {
+    for (const float side : {-kBeyond, kBeyond}) {
+      points.push_back(p + camera.right * side);
+      points.push_back(p + camera.up * side);
     }
-    return 0;
-  });
-  return convexHull(std::move(points));
+  }
+  return sheetOf(camera.right, -camera.up, points, width);
 }
 
-std::string hex(Color c) {
-  const Rgb rgb = rgbOf(c);
-  return fmt::format("#{:02x}{:02x}{:02x}", rgb.r, rgb.g, rgb.b);
-}
-
-bool meetsPage(const std::vector<Vec2>& hull, float width, float height) {
-  Vec2 lo = hull[0], hi = hull[0];
-  for (const Vec2 p : hull) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-  return hi.x > 0 && lo.x < width && hi.y > 0 && lo.y < height;
-}
-
-// Draws the farthest parts first.
-std::string partsOf(const World& world, const Paper& paper, float width, float height) {
-  const Vec3 toward = paper.toward();
-  std::vector<size_t> order(world.solids.size());
-  std::iota(order.begin(), order.end(), size_t(0));
-  std::vector<float> near(order.size());
-  for (const size_t i : order) {
-    const Solid& solid = world.solids[i];
-    near[i] = geom::visitShape(solid.kind, [&](auto shape) {
-      const Vec3 local = toLocal(solid.pose.rotation, -toward);
-      return dot(toWorld(solid.pose, shape.corner(solid.shape, local)), -toward);
-    });
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return near[a] < near[b]; });
-  std::string out;
-  for (const size_t i : order) {
-    const std::vector<Vec2> hull = outlineOf(world.solids[i], paper);
-    if (hull.size() < 3 || !meetsPage(hull, width, height)) continue;
-    out += fmt::format("<path class=\"part{}\" d=\"{}\" style=\"fill:{};fill-opacity:{:.2f}\"/>\n",
-                       world.away[i] ? " away" : "", pathData(hull, true),
-                       hex(world.surfaces[i].color), double(world.solids[i].coverage));
-  }
-  return out;
+Sheet sheetFor(const LevelEntry& level, const QueryEntry* query, const World& world,
+               const DrawingOptions& options) {
+  if (options.side == Side::best) return bestSheet(level, query, world, options.width);
+  const Box extent = query ? extentOf(level, *query) : level.level->bounds();
+  const Vec3 along = alongOf(extent, query);
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? extent.hi.x : extent.lo.x, i & 2 ? extent.hi.y : extent.lo.y,
+                       i & 4 ? extent.hi.z : extent.lo.z});
+  // The drawing is never mirrored: from above, the right-hand side along the level is down.
+  const Vec3 down = options.side == Side::above ? cross(along, Vec3{0, 1, 0}) : Vec3{0, -1, 0};
+  return sheetOf(along, down, corners, options.width);
 }
 
 float distanceTo(Vec2 a, Vec2 b, Vec2 p) {
@@ -190,10 +141,11 @@ std::string regionsOf(schema::Query::Reader query, const Paper& paper) {
   return out;
 }
 
-std::string queryOf(const QueryEntry& query, const Paper& paper) {
+std::string queryOf(const QueryEntry& query, const Paper& paper, bool attempts) {
   std::string out = query.query ? regionsOf(query.reader(), paper) : std::string();
   for (const bool solutions : {false, true}) {
     for (const PathEntry& path : query.paths) {
+      if (path.kind == PathKind::attempt && !attempts) continue;
       if ((path.kind == PathKind::solution) == solutions) out += feetOf(path, paper);
     }
   }
@@ -208,8 +160,8 @@ std::string titleOf(const LevelEntry& level, const QueryEntry* query) {
 }
 
 std::string captionOf(const std::string& title, Side side, float studs) {
-  return title + (title.empty() ? "" : ", ") +
-         (side == Side::above ? "from above, " : "from the side, ") + lengthText(studs) +
+  constexpr const char* kSides[] = {"", "from above, ", "from the side, "};
+  return title + (title.empty() ? "" : ", ") + kSides[size_t(side)] + lengthText(studs) +
          " studs across";
 }
 
@@ -217,9 +169,9 @@ std::string captionOf(const std::string& title, Side side, float studs) {
 
 std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
                       const DrawingOptions& options) {
-  const Box extent = query ? extentOf(level, *query) : level.level->bounds();
-  const Sheet sheet = sheetOf(extent, query, options);
   const uint32_t tick = query && query->compiled ? query->compiled->start().tick : 0;
+  const World world = worldOf(level, tick);
+  const Sheet sheet = sheetFor(level, query, world, options);
   const std::string title = titleOf(level, query);
   const float across = (sheet.width - 2 * kPaperMargin) / sheet.paper.scale;
   return fmt::format(
@@ -230,8 +182,8 @@ std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
          // The picture is nested, so that lines outside of it do not cross the text.
          fmt::format("<svg width=\"{:.0f}\" height=\"{:.0f}\">\n", double(sheet.width),
                      double(sheet.height - kLegend)) +
-         partsOf(worldOf(level, tick), sheet.paper, sheet.width, sheet.height - kLegend) +
-         (query ? queryOf(*query, sheet.paper) : "") +
+         drawnParts(world, sheet.paper, sheet.width, sheet.height - kLegend) +
+         (query ? queryOf(*query, sheet.paper, options.attempts) : "") +
          fmt::format("</svg>\n<text x=\"{:.0f}\" y=\"{:.1f}\">{}</text>\n</svg>\n",
                      double(kPaperMargin), double(sheet.height) - 10,
                      io::escapeMarkup(captionOf(title, options.side, across)));

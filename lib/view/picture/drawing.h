@@ -1,4 +1,4 @@
-// A line drawing of a query in SVG, from above or from the side, with its trajectories.
+// A vector drawing of a query in SVG, with its trajectories.
 #pragma once
 
 #include <string>
@@ -7,16 +7,18 @@
 
 namespace obby::view {
 
-enum class Side { above, lateral };
+// `best` is the side of a picture, which hides least of the query.
+enum class Side { best, above, lateral };
 
 struct DrawingOptions {
-  Side side = Side::above;
-  int width = 960;  // pixels; the height follows from the level
+  Side side = Side::best;
+  bool attempts = false;  // draw failed attempts, too
+  int width = 960;        // pixels; the height follows from the level
 };
 
-// The longer side runs across, with the start on the left. `query` may be null for the whole level.
-// Parts that are away at the query's start are faint, with dashed edges. The drawing suits light
-// and dark pages.
+// From above and from the side, the longer side runs across, with the start on the left. `query`
+// may be null for the whole level. Parts that are away at the query's start are faint, with dashed
+// edges. The drawing suits light and dark pages.
 std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
                       const DrawingOptions& options);
 

@@ -76,9 +76,10 @@ void drawRegions(Pen& pen, const QueryEntry& query) {
   });
 }
 
-void drawQuery(Pen& pen, const QueryEntry& query) {
+void drawQuery(Pen& pen, const QueryEntry& query, bool attempts) {
   if (query.query) drawRegions(pen, query);
   for (const PathEntry& path : query.paths) {
+    if (path.kind == PathKind::attempt && !attempts) continue;
     if (path.kind != PathKind::solution) drawPath(pen, path, false);
   }
   // The first solution is drawn last, on top.
@@ -113,6 +114,7 @@ struct Scene {
   const QueryEntry* query;  // may be null
   const Camera& camera;
   const Depths& sun;
+  bool attempts;
 };
 
 // Draws the rows of pixels from `top` to `bottom`, which is exclusive.
@@ -124,7 +126,7 @@ void drawRows(const Scene& scene, int top, int bottom, Image& out) {
   for (uint32_t i = 0; i < scene.world.solids.size(); ++i) seen.add(scene.world.solids[i], i);
   std::vector<Color> colors = shade(seen, scene.sun, scene.world.surfaces);
   Pen pen(seen, colors);
-  if (scene.query) drawQuery(pen, *scene.query);
+  if (scene.query) drawQuery(pen, *scene.query, scene.attempts);
   addRows(colors, bottom - top, out);
 }
 
@@ -147,7 +149,8 @@ Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureO
   const size_t row = size_t(width) * kSamples;  // samples in a row of pixels
   const int rows = int(std::clamp<size_t>(options.atOnce / row, 1, size_t(options.height)));
   for (int top = 0; top < options.height; top += rows)
-    drawRows({world, query, camera, sun}, top, std::min(top + rows, options.height), out);
+    drawRows({world, query, camera, sun, options.attempts}, top,
+             std::min(top + rows, options.height), out);
   return out;
 }
 

@@ -10,6 +10,7 @@ namespace obby::view {
 
 struct PictureOptions {
   int width = 1280, height = 720;  // pixels
+  bool attempts = false;           // draw failed attempts, too
   // Max samples in memory, 4 per pixel and 36 to 56 bytes each, but at least those of a row of
   // pixels. The value does not change the picture.
   size_t atOnce = size_t(1) << 22;

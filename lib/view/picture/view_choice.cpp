@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geom/shapes/table.h"
+#include "level/record_values.h"
 #include "view/extent.h"
 
 namespace obby::view {
@@ -22,10 +23,12 @@ constexpr float kTolerance = 0.6f;                 // studs a part may be before
 constexpr float kMaxHalf = 24;                     // studs; larger goals are framed in part
 constexpr float kWaist = 2, kHead = 5.5f;          // studs above the feet
 constexpr float kAroundStart = 4;                  // studs
+constexpr float kNearStart = 12;                   // studs of the floor around the start
 constexpr size_t kSeen = 48;                       // tested points of a trajectory
 constexpr size_t kFramed = 200;                    // framed points of a trajectory
 constexpr size_t kMaxSolutions = 12;               // framed solutions
 constexpr int kEnds = 6;                           // weight of start and goal
+constexpr float kBefore = 1e4f;                    // studs from an orthographic camera
 constexpr int kShort = 90;                         // height of a trial picture, pixels
 
 struct View {
@@ -77,6 +80,46 @@ void addPath(const std::vector<Vec3>& feet, std::vector<Vec3>& out) {
   }
 }
 
+// Adds the top of the part that the player stands on, as far as it is near.
+void addFloor(const LevelEntry& level, Vec3 feet, std::vector<Vec3>& out) {
+  const Vec3 near{kNearStart, kNearStart, kNearStart};
+  Box floor{feet - near, feet - near};
+  bool found = false;
+  for (const auto part : level.reader().getParts()) {
+    const Box box = boxOf(cornersOf(part));
+    if (box.hi.y > feet.y + 1 || box.hi.y <= floor.hi.y) continue;
+    if (box.lo.x > feet.x || box.hi.x < feet.x || box.lo.z > feet.z || box.hi.z < feet.z) continue;
+    floor = box;
+    found = true;
+  }
+  if (!found) return;
+  const Vec3 lo = max(floor.lo, feet - near), hi = min(floor.hi, feet + near);
+  addBox({{lo.x, hi.y, lo.z}, hi}, out);
+}
+
+// Returns the trajectories to frame: the solutions, or else the closest.
+std::vector<const PathEntry*> framedPaths(const QueryEntry& query) {
+  std::vector<const PathEntry*> out;
+  for (const PathKind kind : {PathKind::solution, PathKind::closest}) {
+    for (const PathEntry& path : query.paths) {
+      if (path.kind == kind && out.size() < kMaxSolutions) out.push_back(&path);
+    }
+    if (!out.empty()) break;
+  }
+  return out;
+}
+
+// Adds the two parts of the step that is impossible.
+void addCut(const LevelEntry& level, const QueryEntry& query, std::vector<Vec3>& out) {
+  if (!query.result || !query.answer().hasCut()) return;
+  const auto cut = query.answer().getCut();
+  const auto parts = level.reader().getParts();
+  for (const int32_t part : {cut.getFrom(), cut.getTo()}) {
+    if (part >= 0 && uint32_t(part) < parts.size())
+      out.push_back(level::vec(parts[uint32_t(part)].getPosition()));
+  }
+}
+
 // Returns true if the point is inside the solid: rays towards it from two sides end at a surface.
 bool isInside(const Solid& solid, Vec3 point) {
   constexpr float kFar = 1e4f;  // studs
@@ -98,7 +141,7 @@ float visible(const std::vector<Vec3>& points, const Camera& camera, int width, 
   Depths seen(camera, width, height);
   for (const Solid& solid : solids) {
     if (solid.coverage <= 0.5f) continue;
-    if (isInside(solid, camera.eye)) return 0;
+    if (camera.perspective && isInside(solid, camera.eye)) return 0;
     seen.add(solid, 0);
   }
   float count = 0;
@@ -135,34 +178,36 @@ Subject subjectOf(const LevelEntry& level, const QueryEntry* query) {
       const Vec3 feet = query->compiled->start().feet;
       const Vec3 around{kAroundStart, 0, kAroundStart};
       addBox({feet - around, feet + around + Vec3{0, kHead, 0}}, out.frame);
+      addFloor(level, feet, out.frame);
       out.from = feet + Vec3{0, kWaist, 0};
     }
-    size_t solutions = 0;
-    for (const PathEntry& path : query->paths) {
-      if (path.kind == PathKind::solution && solutions++ < kMaxSolutions)
-        addPath(path.playback.feet, out.frame);
-    }
+    for (const PathEntry* path : framedPaths(*query)) addPath(path->playback.feet, out.frame);
+    addCut(level, *query, out.frame);
   }
-  if (out.frame.empty()) addBox(level.level->bounds(), out.frame);
+  if (out.frame.empty()) addBox(courseOf(level), out.frame);
   for (int i = 0; i < kEnds; ++i) {
     for (const auto& end : {out.from, out.to}) {
       if (end) out.seen.push_back(*end);
     }
   }
-  if (query && !query->paths.empty()) {
-    const std::vector<Vec3>& feet = query->paths[0].playback.feet;
+  const std::vector<const PathEntry*> framed =
+      query ? framedPaths(*query) : std::vector<const PathEntry*>();
+  if (!framed.empty()) {
+    const std::vector<Vec3>& feet = framed[0]->playback.feet;
     const size_t step = std::max<size_t>(1, feet.size() / kSeen);
     for (size_t i = 0; i < feet.size(); i += step) out.seen.push_back(feet[i] + Vec3{0, kWaist, 0});
   }
   return out;
 }
 
-Vec3 bestLook(const Subject& subject, const std::vector<Solid>& solids, int width, int height) {
+Vec3 bestLook(const Subject& subject, const std::vector<Solid>& solids, int width, int height,
+              bool perspective) {
   const int wide = std::clamp(kShort * width / std::max(height, 1), kShort / 4, kShort * 4);
   Vec3 best{0, -1, 0};
   float most = -1e30f;
   for (const View& view : views()) {
-    const Camera camera = framed(subject.frame, view.look, wide, kShort, true);
+    Camera camera = framed(subject.frame, view.look, wide, kShort, perspective);
+    if (!perspective) camera.eye -= camera.forward * kBefore;
     const float worth = visible(subject.seen, camera, wide, kShort, solids) +
                         composition(subject, camera, wide, kShort) - kSteep * float(view.steepness);
     if (worth <= most) continue;

@@ -21,7 +21,9 @@ struct Subject {
 Subject subjectOf(const LevelEntry& level, const QueryEntry* query);
 
 // Returns the direction of the camera that hides least of the subject, fills the picture well, and
-// reads from left to right. web/src/scene/view_choice.js does the same for the page.
-Vec3 bestLook(const Subject& subject, const std::vector<Solid>& solids, int width, int height);
+// reads from left to right. An orthographic camera sees everything before the subject.
+// web/src/scene/view_choice.js does the same for the page.
+Vec3 bestLook(const Subject& subject, const std::vector<Solid>& solids, int width, int height,
+              bool perspective = true);
 
 }  // namespace obby::view

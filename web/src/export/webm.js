@@ -87,7 +87,7 @@ function cluster(pictures) {
  * Returns the file.
  * @param {Coded[]} pictures in order; the first is a key picture
  * @param {{width: number, height: number, codec: string, ms: number}} film `codec`: a WebM name
- *   such as V_VP8; `ms`: duration
+ *   such as V_VP9; `ms`: duration
  */
 export function webm(pictures, { width, height, codec, ms }) {
   /** @type {Coded[][]} */

@@ -1,5 +1,5 @@
 // The points that a view of a query or of a level must contain.
-import { Quaternion, Vector3 } from 'three';
+import { Box3, Quaternion, Vector3 } from 'three';
 
 /** @import {Path} from '../path.js' */
 /** @import {Region} from '../types/page_data.js' */
@@ -13,6 +13,9 @@ const kSamples = 48; // tested samples of the first trajectory
 const kWaist = 2; // studs above the feet
 const kHead = 5.5;
 const kAround = 4; // studs around the start
+const kNear = 12; // studs of the floor around the start
+const kGround = 4; // a ground is this much longer than all else
+const kMinGround = 500; // studs
 const kEnds = 6; // weight of start and goal in samples
 
 /**
@@ -41,19 +44,61 @@ function addRegion(out, { position, rotation, size }) {
 }
 
 /**
- * Returns the corners of all parts.
+ * Returns the corners of a part.
+ * @param {Level} level
+ * @param {number} part
+ */
+function partCorners(level, part) {
+  /** @type {number[]} */
+  const out = [];
+  const half = new Vector3().fromArray(level.size, 3 * part).multiplyScalar(0.5);
+  const rotation = new Quaternion().fromArray(level.rotation, 4 * part).normalize();
+  addCorners(out, new Vector3().fromArray(level.position, 3 * part), rotation, half);
+  return out;
+}
+
+/**
+ * Returns the corners of all parts but a ground that is much larger than everything else.
  * @param {Level} level
  */
 export function cornersOf(level) {
-  /** @type {number[]} */
-  const out = [];
-  const [position, rotation, half] = [new Vector3(), new Quaternion(), new Vector3()];
-  for (let part = 0; part < level.count; part++) {
-    position.fromArray(level.position, 3 * part);
-    rotation.fromArray(level.rotation, 4 * part).normalize();
-    addCorners(out, position, rotation, half.fromArray(level.size, 3 * part).multiplyScalar(0.5));
+  const parts = Array.from({ length: level.count }, (_, part) => {
+    const corners = partCorners(level, part);
+    const box = new Box3().setFromArray(corners);
+    return { corners, box, length: box.getSize(new Vector3()).length() };
+  }).sort((a, b) => a.length - b.length);
+  const rest = new Box3(); // of all smaller parts
+  let count = 0;
+  for (const { box, length } of parts) {
+    const size = rest.getSize(new Vector3()).length();
+    if (count > 0 && length > Math.max(kMinGround, kGround * size)) break;
+    rest.union(box);
+    count += 1;
   }
-  return out;
+  return parts.slice(0, count).flatMap(({ corners }) => corners);
+}
+
+/**
+ * Adds the part that the player stands on, as far as it is near.
+ * @param {number[]} out
+ * @param {Level} level
+ * @param {Vector3} feet
+ */
+function addFloor(out, level, feet) {
+  const floor = new Box3();
+  const low = feet.clone().subScalar(kNear);
+  const high = feet.clone().addScalar(kNear);
+  const box = new Box3();
+  for (let part = 0; part < level.count; part++) {
+    box.setFromArray(partCorners(level, part));
+    const { min, max } = box;
+    const isBelow = max.y <= feet.y + 1 && max.y >= low.y && max.y > floor.max.y;
+    if (isBelow && min.x <= feet.x && max.x >= feet.x && min.z <= feet.z && max.z >= feet.z)
+      floor.copy(box);
+  }
+  if (floor.isEmpty()) return;
+  const { min, max } = floor.intersect(new Box3(low, high));
+  for (const x of [min.x, max.x]) for (const z of [min.z, max.z]) out.push(x, max.y, z);
 }
 
 /**
@@ -96,6 +141,7 @@ export function subjectOf(query, level) {
     const around = new Vector3(kAround, kHead / 2, kAround);
     const middle = from.clone().add(new Vector3(0, kHead / 2 - kWaist, 0));
     addCorners(frame, middle, new Quaternion(), around);
+    if (level) addFloor(frame, level, from.clone().sub(new Vector3(0, kWaist, 0)));
   }
   const to = ends.length ? new Vector3(...ends[0].position) : null;
   const paths = pathsOf(query);

@@ -95,4 +95,12 @@ export class Views {
     const head = new Vector3(x, y + level.body.top - kEyesBelowTop, z);
     this.rig.follow(head, headingAt(path, tick, level.tickRate));
   }
+
+  // Returns a text that changes with the picture's camera.
+  stamp() {
+    const { position, quaternion, aspect } = this.stage.rig.camera;
+    return [...position.toArray(), ...quaternion.toArray(), aspect]
+      .map((value) => value.toFixed(4))
+      .join();
+  }
 }

@@ -212,11 +212,21 @@ export interface HardestStep {
   window: number;
 }
 
+// What a step does not have is left out: a jump, a landing, a part that kills nearby.
+export interface DifficultyStep {
+  startTick: number;
+  ticks: number;
+  window?: number;
+  margin?: number;
+  clearance?: number;
+}
+
 export interface Difficulty {
   band: Band;
   success: number;
   expectedAttempts: number;
   noise: string;
+  steps: DifficultyStep[];
   hardest: HardestStep;
 }
 
@@ -225,6 +235,7 @@ export type PartEvent = Triple;
 
 export interface PathFacts {
   kind: Kind;
+  provisional?: boolean; // a first solution that the search still improves
   index: number;
   method: string;
   body?: string;

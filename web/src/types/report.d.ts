@@ -77,7 +77,9 @@ export type ColorBy =
   | 'jumps'
   | 'difficulty'
   | 'speed'
-  | 'height';
+  | 'height'
+  | 'margin'
+  | 'window';
 export type ColorMode = 'roles' | 'level';
 
 export interface State extends Filters {

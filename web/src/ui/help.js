@@ -7,12 +7,12 @@ const kSections = [
     'Play',
     [
       ['Space', 'play or pause'],
-      ['← →', 'previous or next tick'],
+      ['← → , .', 'previous or next tick'],
       ['Shift ← →', 'ten ticks'],
       ['Home End', 'first or last tick'],
       ['− +', 'slower or faster'],
       ['L', 'loop'],
-      [', .', 'loop from here, to here (or Shift and drag over the profile)'],
+      ['< >', 'loop from here, to here (or Shift and drag over the profile)'],
       ['click the clock', 'type a time'],
     ],
   ],
@@ -58,8 +58,11 @@ const kSections = [
 ];
 
 export class Help {
-  /** @param {HTMLDialogElement} dialog */
-  constructor(dialog) {
+  /**
+   * @param {HTMLDialogElement} dialog
+   * @param {() => void} reset resets the view settings
+   */
+  constructor(dialog, reset) {
     this.dialog = dialog;
     const close = el('button', {
       class: 'plain close',
@@ -88,6 +91,22 @@ export class Help {
             ),
           ),
         ),
+      ),
+      el(
+        'footer',
+        {},
+        el('p', { class: 'quiet', text: 'The browser keeps camera mode, colours, speed and layers for the next page.' }),
+        el('button', {
+          class: 'plain reset',
+          type: 'button',
+          text: 'Reset view settings',
+          on: {
+            click: () => {
+              reset();
+              dialog.close();
+            },
+          },
+        }),
       ),
     );
     dialog.addEventListener('click', (event) => {

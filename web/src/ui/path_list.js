@@ -31,6 +31,15 @@ function emptyText(all, listed) {
   return listed ? 'Only failed attempts, which are not shown.' : 'No trajectory matches the filter.';
 }
 
+/**
+ * Marks the first solution, until the improved one replaces it.
+ * @param {Path} path
+ */
+function firstOf({ provisional }) {
+  const title = 'The first solution, before it is improved';
+  return provisional ? [el('span', { class: 'fact', text: 'first found', title })] : [];
+}
+
 export class PathList {
   /**
    * `sourceOf`: returns the current {query, level}; `tintOf`: path -> colour.
@@ -182,6 +191,7 @@ export class PathList {
       el('i', { class: `swatch ${path.kind}`, style: { '--tint': this.tintOf(path) } }),
       el('span', { class: 'name', text: path.mismatch ? `${name} ≠` : name }),
       ...this.bandOf(path),
+      ...firstOf(path),
       ...facts,
     );
   }

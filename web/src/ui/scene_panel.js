@@ -100,12 +100,12 @@ export class ScenePanel {
         ),
       );
     });
-    const { legend } = this.coloringOf();
-    if (legend.length) this.legend.append(el('hr'));
     const { attempts, colorBy } = this.store.state;
     const isDrawn = (/** @type {string} */ kind) =>
       attempts || kind !== 'attempt' || colorBy !== 'outcome';
-    for (const [label, tint, kind] of legend.filter(([, , kind]) => isDrawn(kind)))
+    const legend = this.coloringOf().legend.filter(([, , kind]) => isDrawn(kind));
+    if (legend.length) this.legend.append(el('hr'));
+    for (const [label, tint, kind] of legend)
       this.legend.append(
         el(
           'div',
@@ -159,6 +159,7 @@ export class ScenePanel {
     const original = checkbox((checked) =>
       this.store.set({ colors: checked ? 'level' : 'roles' }),
     );
+    original.checked = this.store.state.colors === 'level';
     this.store.on(['colors'], (state) => {
       original.checked = state.colors === 'level';
     });

@@ -1,5 +1,5 @@
 // The left column: the queries with their verdicts, and the details of the selected one.
-import { VERDICT_STYLE, verdictOf } from '../palette.js';
+import { isSolved, VERDICT_STYLE, verdictOf } from '../palette.js';
 import { deaths } from './deaths.js';
 import { count, el, keepingPlace, reveal, seconds } from './dom.js';
 import { findings } from './findings.js';
@@ -120,7 +120,7 @@ export class Sidebar {
   }
 
   fillHead() {
-    const solved = this.report.queries.filter((query) => ['solved', 'doubtful'].includes(verdictOf(query))).length;
+    const solved = this.report.queries.filter(isSolved).length;
     const total = this.report.queries.length;
     const summary = total
       ? `${solved} of ${total} ${total === 1 ? 'query' : 'queries'} solved`
@@ -241,9 +241,11 @@ export class Sidebar {
     /** @type {[string, string][]} */
     const facts = [];
     const add = (/** @type {[string, string]} */ ...fact) => facts.push(fact);
-    if (result?.verdict === 'solved') {
-      add('Play time', `${seconds(result.ticks / rate)} s`);
-      add('Jumps', String(result.jumps));
+    const first = query.paths.find(({ provisional }) => provisional);
+    const found = result?.verdict === 'solved' ? result : first;
+    if (found) {
+      add(found === first ? 'Play time so far' : 'Play time', `${seconds(found.ticks / rate)} s`);
+      add(found === first ? 'Jumps so far' : 'Jumps', String(found.jumps));
     } else if (Number(steps) > 0) {
       add('Closest to goal', `${closest.toFixed(1)} studs`);
       if (searched > 0) add('Searched', `${seconds(searched)} s`);

@@ -1,5 +1,5 @@
 // The bar at the bottom: play, step, scrub over the height profile, time and speed.
-import { rangeOf } from '../playback.js';
+import { rangeOf, SPEEDS } from '../playback.js';
 import { Clock } from './clock.js';
 import { el, icon, seconds, svg } from './dom.js';
 import { profileOf, rangeMark } from './profile.js';
@@ -8,7 +8,6 @@ import { profileOf, rangeMark } from './profile.js';
 /** @import {Playback} from '../playback.js' */
 /** @import {Store} from '../store.js' */
 
-const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
 export class Timeline {
@@ -58,7 +57,7 @@ export class Timeline {
     });
     this.clock = new Clock((time) => {
       store.set({ playing: false });
-      playback.seek(time * playback.rateOf());
+      playback.seek(Math.round(time * playback.rateOf())); // the tick whose time is nearest
     });
     this.speed = el(
       'select',
@@ -67,7 +66,7 @@ export class Timeline {
         title: 'Speed (− and +)',
         on: { change: () => store.set({ speed: Number(this.speed.value) }) },
       },
-      ...kSpeeds.map((speed) => el('option', { value: String(speed), text: `${speed}×` })),
+      ...SPEEDS.map((speed) => el('option', { value: String(speed), text: `${speed}×` })),
     );
     this.loop = el(
       'button',
@@ -187,10 +186,10 @@ export class Timeline {
     const rate = this.playback.rateOf();
     this.slider.value = String(tick);
     this.slider.style.setProperty('--share', `${(100 * tick) / Math.max(1, length)}%`);
-    const [now, all] = [seconds(tick / rate), seconds(length / rate)];
+    const now = (tick / rate).toFixed(3); // tells ticks apart, also those of 240 a second
     // The slider's value is in ticks.
-    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`);
-    this.clock.show(now, all, Math.floor(tick + 1e-6));
+    this.slider.setAttribute('aria-valuetext', `${now} of ${seconds(length / rate)} s`);
+    this.clock.show(now, seconds(length / rate), Math.floor(tick + 1e-6));
   }
 
   showState() {
