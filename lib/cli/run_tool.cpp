@@ -123,8 +123,8 @@ int runTool(const ToolSpec& spec, int argc, char** argv, const RunFunction& body
   try {
     return run(spec, argc, argv, body, console);
   } catch (const std::bad_alloc&) {
-    return fail(console,
-                makeError("not enough memory", "raise the memory limit that ulimit -v shows"));
+    return fail(console, makeError("not enough memory",
+                                   "free some memory, or raise the limit if ulimit -v shows one"));
   } catch (const std::exception& e) {
     return fail(console, makeError(std::string("internal error: ") + e.what()));
   }

@@ -227,8 +227,9 @@ Result<std::optional<Record>> StreamReader::next() {
     return impl_->next();
   } catch (const std::bad_alloc&) {
     return impl_->fatal(
-        makeError("not enough memory for this record",
-                  "raise the memory limit that ulimit -v shows, or make the record smaller"),
+        makeError(
+            "not enough memory for this record",
+            "make the record smaller, free some memory, or raise the limit if ulimit -v shows one"),
         impl_->recordPlace());
   }
 }

@@ -74,9 +74,9 @@ Status sameSettings(const std::vector<Setting>& then, const std::vector<Setting>
   const auto differs = [&](const std::string& name) -> Status {
     const std::string before = valueOf(then, name), after = valueOf(now, name);
     if (before == after) return {};
-    return makeError(fmt::format("the earlier run had another value of '{}': {} then, {} now", name,
-                                 before, after),
-                     "use the options of the earlier run, or start again without --resume");
+    return makeError(
+        fmt::format("'{}' was {} in the earlier run and is {} now", name, before, after),
+        "use the options of the earlier run, or start again without --resume");
   };
   for (const Setting& s : now) OBBY_RETURN_IF_ERROR(differs(s.name));
   for (const Setting& s : then) OBBY_RETURN_IF_ERROR(differs(s.name));

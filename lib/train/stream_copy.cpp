@@ -29,7 +29,7 @@ Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout, uin
       return makeError(fmt::format("the stream has more than {} bytes of levels, and several ranks "
                                    "must read all of it before they start",
                                    max),
-                       "give a stream that ends, or use --generate");
+                       "give fewer levels, use --generate, or train with one rank");
     }
   }
   OBBY_RETURN_IF_ERROR(writer.close());

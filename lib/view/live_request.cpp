@@ -48,7 +48,8 @@ std::optional<std::string_view> valueOf(const loopback::Target& target, std::str
 std::variant<LiveCall, Reply> checkLiveRequest(const LiveHead& head, uint16_t port,
                                                std::string_view token) {
   if (!head.host || !loopback::hostAllowed(*head.host, port)) {
-    return refuse(421, "This server does not serve the host that the request names.");
+    return refuse(
+        421, "The Host header does not name this server. Use the address that obby-view printed.");
   }
   const loopback::Target target = loopback::targetOf(head.target.substr(0, kMaxTarget));
   if (foreign(head, target.path, port))

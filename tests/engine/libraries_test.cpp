@@ -105,5 +105,15 @@ TEST(Libraries, AMissingFeatureMakesAFailureLimited) {
   EXPECT_EQ(stage.observation().problems[0].failure, engine::Failure::limited);
 }
 
+TEST(Libraries, AnErrorThatIsNoStringIsAProblem) {
+  Place place;
+  place.script("error({})", place.scripts);
+  engine::Stage stage(place.document, {});
+  stage.start();
+  ASSERT_EQ(stage.observation().problems.size(), 1u);
+  EXPECT_EQ(stage.observation().problems[0].text,
+            "it raised an error that is not a string (type table)");
+}
+
 }  // namespace
 }  // namespace obby::test

@@ -80,6 +80,8 @@ const Wrong kWrong[] = {
     {"x = '\\300'", 1, "malformed escape in a string"},
     {"x = '\\u{110000}'", 1, "malformed escape in a string"},
     {"x = `a{1`", 1, "malformed string: its closing quote is missing on this line"},
+    {"x = `a\\\nb{1\ny = 2", 3,
+     "expected '}' to continue the string that starts on line 1, found 'y'"},
     {"x = `a{}`", 1, "expected an expression inside '{}', found a string"},
     {"x = `{{1}}`", 1, "'{{' in an interpolated string: write '\\{'"},
     {"f`x`", 1, "incomplete statement: expected an assignment or a call, found a string"},

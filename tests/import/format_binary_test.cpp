@@ -143,12 +143,17 @@ TEST(FormatBinary, PropertiesThatDoNotFitTheirClassAreErrors) {
     return errorOf(twoParts(propertyChunk(classId, "X", kind, column), goodParents()));
   };
   EXPECT_THAT(withProperty(5, 2, "\x01\x01"), HasSubstr("class id 5"));
-  EXPECT_EQ(withProperty(0, 2, "\x01"),
-            "f:byte 73: PROP: Part.X: the data ends early: expected 2 values");
+  EXPECT_EQ(
+      withProperty(0, 2, "\x01"),
+      "f:byte 73: PROP: Part.X: the data ends early: expected 2 values (save the file again in "
+      "Studio)");
   EXPECT_THAT(withProperty(0, 0x10, std::string("\x01\x01", 2) + std::string(24, '\0')),
               HasSubstr("unknown rotation id 1"));
   EXPECT_THAT(withProperty(0, 0x1c, std::string(8, '\0')), HasSubstr("missing shared string 0"));
   EXPECT_THAT(withProperty(0, 0x1e, std::string(1, '\x11')), HasSubstr("expected a CFrame column"));
+  // Two values from an address, but no address.
+  EXPECT_THAT(withProperty(0, 0x22, std::string("\0\0\0\0\0\0\1\1", 8) + std::string(12, '\0')),
+              HasSubstr("the file is damaged: it has more content values than addresses (save"));
   // A string that claims 4 GiB.
   EXPECT_THAT(withProperty(0, 0x01, "\xff\xff\xff\xffzzzz"), HasSubstr("ends early"));
 }

@@ -98,6 +98,10 @@ class Scene {
     const auto it = level_.unmodelled.find(kind);
     return it == level_.unmodelled.end() ? 0 : it->second.count;
   }
+  std::string noteOf(const std::string& kind) const {
+    const auto it = level_.unmodelled.find(kind);
+    return it == level_.unmodelled.end() ? "" : it->second.note;
+  }
 
   Document document;
   InstanceId workspace = kNoInstance, scripts = kNoInstance;

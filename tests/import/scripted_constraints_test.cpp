@@ -1,4 +1,6 @@
 // Constraints that scripts set, and constraints of parts that scripts place or move.
+#include <gmock/gmock.h>
+
 #include <cmath>
 #include <utility>
 
@@ -192,6 +194,8 @@ TEST(ScriptedConstraint, AScriptedPartIgnoresTheMotor) {
   ASSERT_TRUE(scene[c.arm].motion && scene[c.arm].motion->spin);
   EXPECT_NEAR(scene[c.arm].motion->spin->speed, 6, 0.1);
   EXPECT_EQ(scene.unmodelled("part that a script and a constraint move"), 1u);
+  EXPECT_THAT(scene.noteOf("part that a script and a constraint move"),
+              testing::MatchesRegex("moved by the script only; the constraint .* is ignored"));
 }
 
 }  // namespace

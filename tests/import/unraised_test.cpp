@@ -1,9 +1,13 @@
 // The importer notes events that are never raised and handlers that fail, because their effects are
 // unknown.
+#include <gmock/gmock.h>
+
 #include "import/scene.h"
 
 namespace obby::test {
 namespace {
+
+using testing::StartsWith;
 
 constexpr const char* kUnraised = "event that is not raised";
 
@@ -17,6 +21,7 @@ TEST(Unraised, AnUnraisedEventPutsItsPartInDoubt) {
   scene.level();
   EXPECT_EQ(scene.unmodelled(kUnraised), 1u);
   EXPECT_EQ(scene[box].doubts, std::vector<std::string>{kUnraised});
+  EXPECT_THAT(scene.noteOf(kUnraised), StartsWith("TextBox.FocusLost was not raised while "));
 }
 
 TEST(Unraised, ASeatThatScriptsLookAtIsInDoubt) {
@@ -25,6 +30,15 @@ TEST(Unraised, ASeatThatScriptsLookAtIsInDoubt) {
   scene.script("script.Parent:GetPropertyChangedSignal('Occupant'):Connect(print)", seat);
   scene.level();
   EXPECT_EQ(scene[seat].doubts, std::vector<std::string>{kUnraised});
+  EXPECT_THAT(scene.noteOf(kUnraised), StartsWith("Seat.Occupant did not change while "));
+}
+
+TEST(Unraised, AValueThatScriptsReadIsNoEvent) {
+  Scene scene;
+  const auto seat = scene.part("Boat", {}, scene.workspace, "Seat");
+  scene.script("print(script.Parent.Occupant)", seat);
+  scene.level();
+  EXPECT_THAT(scene.noteOf(kUnraised), StartsWith("Seat.Occupant did not change while "));
 }
 
 TEST(Unraised, RaisedOrIneffectiveEventsAreNotReported) {

@@ -66,7 +66,7 @@ std::string goalAbove(float rise) {
 
 TEST(Unreachable, NamesHelpfulTricksAndWhetherItHoldsWithAll) {
   const Filtered low = unreachableAsk(goalAbove(10)), high = unreachableAsk(goalAbove(60));
-  expectUnreachable(low, " This assumes normal play; a held jump");
+  expectUnreachable(low, " This assumes normal play; a trick (held jump");
   EXPECT_THAT(low.output, HasSubstr(R"("mayHelp":["heldJump")"));
   expectUnreachable(high, " No trick changes this.");
   EXPECT_THAT(high.output, HasSubstr(R"("withTricks":true)"));

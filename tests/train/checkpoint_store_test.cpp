@@ -74,7 +74,7 @@ TEST_F(CheckpointStores, OtherSettingsAreRefusedByName) {
   ASSERT_TRUE(second.setRun(other, {{"levels", "gaps"}}, false));
   const auto trainer = second.trainer(engine());
   ASSERT_FALSE(trainer);
-  EXPECT_NE(trainer.error().text().find("another value of 'epochs': 2 then, 7 now"),
+  EXPECT_NE(trainer.error().text().find("'epochs' was 2 in the earlier run and is 7 now"),
             std::string::npos)
       << trainer.error().text();
   EXPECT_EQ(trainer.error().input, in("policy.obp.checkpoint"));

@@ -155,8 +155,7 @@ TEST(Checkpoint, IsRefusedUnderOtherSettings) {
   other.ppo.discount = 0.98f;
   const Status status = sameSettings(then, settingsOf(other));
   ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().message,
-            "the earlier run had another value of 'discount': 0.99 then, 0.98 now");
+  EXPECT_EQ(status.error().message, "'discount' was 0.99 in the earlier run and is 0.98 now");
   std::vector<Setting> more = then;
   more.push_back({"style", "gaps"});
   EXPECT_FALSE(sameSettings(then, more));

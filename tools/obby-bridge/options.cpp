@@ -103,10 +103,10 @@ cli::ToolSpec bridgeSpec() {
                   "maximum number of searches and calibrations at a time", kJobs),
               1, 64),
       row("solve", ValueType::file, "PATH", "",
-          "the obby-solve to start [default: the one next to this program]", kJobs),
+          "path of the obby-solve program to run [default: the one next to this program]", kJobs),
       row("state-dir", ValueType::file, "DIR", "",
-          "folder for tokens, levels and answers [default: obby in XDG_STATE_HOME, or in "
-          "~/.local/state]",
+          "folder for tokens, levels and answers [default: $XDG_STATE_HOME/obby, "
+          "else ~/.local/state/obby]",
           kJobs),
   };
   for (OptionRow& limit : limitRows()) spec.options.push_back(std::move(limit));

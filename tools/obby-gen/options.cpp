@@ -36,10 +36,11 @@ std::vector<OptionRow> levelRows() {
                   "number of levels to write, not counting those that --check drops; 0: no limit",
                   kLevelGroup),
               0, 9e15),
-      between(
-          row("first", ValueType::integer, "N", "0",
-              "number of the first level; level N of a seed is the same in every run", kLevelGroup),
-          0, 4e18),
+      between(row("first", ValueType::integer, "N", "0",
+                  "number of the first level; with the same options and seed, level N is the same "
+                  "in every run",
+                  kLevelGroup),
+              0, 4e18),
       flagRow("unsolvable",
               "write an unsolvable twin of each level instead; its name says which gap or "
               "obstacle is impossible",
@@ -58,7 +59,7 @@ std::vector<OptionRow> checkRows() {
   return {
       flagRow(
           "check",
-          "keep only levels that the solver solves or, with --unsolvable, proves unreachable; the "
+          "keep only levels that the solver solves or, with --unsolvable, proves unsolvable; the "
           "solver's answer is written after the query",
           kCheckGroup),
       between(row("check-steps", ValueType::integer, "N", "1000000",

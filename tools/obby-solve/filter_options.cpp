@@ -57,7 +57,7 @@ Status refuseIdleQuick(const cli::Arguments& a, const solve::FilterOptions& o) {
   }
   if (o.task == solve::Task::verify && !option.empty() && !o.each) {
     return refused(option, "cannot be combined with --verify",
-                   "add --each to check trajectories under this limit");
+                   "leave it out, or add --each to apply it to the queries in the input");
   }
   if (a.typed("each") && !o.quick) {
     return refused("each", "needs another option to apply to the queries",

@@ -31,7 +31,7 @@ ExprPtr ExpressionParser::interpolated() {
     if (peek().kind == TokenKind::continuation) failHere("an expression inside '{}'");
     adopt(*expr, expression());
     if (peek().kind != TokenKind::continuation) {
-      failHere("'}' to continue the string of line " + std::to_string(expr->line));
+      failHere("'}' to continue the string that starts on line " + std::to_string(expr->line));
       expr->keys.push_back(make(ExprKind::string, expr->line));
       return expr;
     }

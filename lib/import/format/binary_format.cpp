@@ -160,7 +160,9 @@ class BinaryReader {
   }
 
   static Error atChunk(const Chunk& chunk, Error error) {
-    return chunkError(chunk, std::move(error.message));
+    Error placed = chunkError(chunk, std::move(error.message));
+    placed.hint = std::move(error.hint);
+    return placed;
   }
   static Error tooShort(const Chunk& chunk, uint32_t count, const char* what) {
     return chunkError(chunk, "the chunk ends before its " + std::to_string(count) + " " + what);

@@ -216,7 +216,7 @@ void readContents(Column& c) {
   size_t uri = 0, object = 0;
   for (const uint32_t source : sources) {
     if ((source == kUri && uri >= uris.size()) || (source == kObject && object >= objects.size())) {
-      return c.fail("there are more content values than addresses");
+      return c.fail("the file is damaged: it has more content values than addresses");
     }
     if (source == kUri) {
       c.out.emplace_back(std::string(uris[uri++]));

@@ -61,7 +61,11 @@ Result<Chunk> readHeader(std::string_view file, size_t offset) {
 }  // namespace
 
 Error chunkError(const Chunk& chunk, std::string message) {
-  return Error{{}, "byte " + std::to_string(chunk.offset), chunk.name, std::move(message), {}};
+  return Error{{},
+               "byte " + std::to_string(chunk.offset),
+               chunk.name,
+               std::move(message),
+               "save the file again in Studio"};
 }
 
 Result<std::vector<Chunk>> listChunks(std::string_view file, size_t firstOffset) {

@@ -33,7 +33,7 @@ Result<std::vector<Chunk>> listChunks(std::string_view file, size_t firstOffset)
 // `fileSize`. `total`, 0 before the first chunk, sums the bytes of all chunks and is bounded, too.
 Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total);
 
-// Returns an Error at the chunk's place: "byte 4711: PROP".
+// Returns the error of a damaged file, at the chunk's place: "byte 4711: PROP".
 Error chunkError(const Chunk& chunk, std::string message);
 
 }  // namespace obby::importer

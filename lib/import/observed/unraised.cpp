@@ -12,11 +12,16 @@ namespace {
 
 using Heeds = std::map<std::string, std::vector<engine::Heed>>;
 
+constexpr std::string_view kProperty = "property ";  // before the name in change signals
 // Values that the engine changes in play. Only scripts change other values, and the runtime sees
 // those changes.
 constexpr std::string_view kVaried[] = {
     "Occupant", "SeatPart",      "Sit",           "Steer",         "SteerFloat",
     "Throttle", "ThrottleFloat", "FloorMaterial", "MoveDirection", "Jump"};
+// Other values that scripts read, most by a function.
+constexpr std::string_view kRead[] = {"GetState",       "Velocity",
+                                      "IsKeyDown",      "IsMouseButtonPressed",
+                                      "GetKeysPressed", "GetMouseButtonsPressed"};
 // Classes whose events do not matter to a course, or are raised by scripts.
 constexpr std::string_view kClasses[] = {"BindableEvent",
                                          "RemoteEvent",
@@ -104,11 +109,19 @@ bool isOfTouchScreen(std::string_view type, std::string_view event) {
 
 // Returns true if the course does not depend on the event or value.
 bool isHarmless(std::string_view name) {
-  constexpr std::string_view kProperty = "property ";
   const size_t dot = name.find('.');
   const std::string_view type = name.substr(0, dot), event = name.substr(dot + 1);
   if (event.starts_with(kProperty)) return !isIn(kVaried, event.substr(kProperty.size()));
   return isIn(kClasses, type) || isIn(kEvents, event) || isOfTouchScreen(type, event);
+}
+
+// Returns what did not happen: the event was not raised, or the value did not change.
+std::string absence(std::string name) {
+  const size_t property = name.find(kProperty), member = name.find('.') + 1;
+  if (property != std::string::npos) name.erase(property, kProperty.size());
+  const bool isValue = property != std::string::npos || isIn(kVaried, name.substr(member)) ||
+                       isIn(kRead, name.substr(member));
+  return name + (isValue ? " did not change" : " was not raised") + " while scripts ran; ";
 }
 
 class Unraised {
@@ -140,8 +153,7 @@ void noteUnraised(RoleContext& context, const engine::Report& report) {
   for (const auto& [name, heeds] : Unraised(report).all())
     for (const engine::Heed& heed : heeds)
       context.level.noteUnmodelled("event that is not raised", context.tree, heed.target,
-                                   name + " did not occur or change while scripts ran; " +
-                                       lineReason(context.tree, heed.line));
+                                   absence(name) + lineReason(context.tree, heed.line));
 }
 
 }  // namespace obby::importer

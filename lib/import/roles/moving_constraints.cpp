@@ -98,7 +98,7 @@ void noteBoth(RoleContext& context, const ConstraintSettings& settings, Instance
     if (part && part->motion && !part->motion->carries)
       context.level.noteUnmodelled(
           "part that a script and a constraint move", context.tree, end,
-          "moved by the script only; ignored: the constraint " + context.tree.path(id));
+          "moved by the script only; the constraint " + context.tree.path(id) + " is ignored");
   }
 }
 

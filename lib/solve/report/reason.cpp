@@ -177,7 +177,7 @@ std::string tricksText(const Cut& cut) {
   if (cut.mayHelp == 0) return " This assumes normal play; several tricks together might help.";
   std::vector<std::string> names;
   for (const auto trick : level::tricksIn(cut.mayHelp)) names.push_back(level::trickName(trick));
-  return fmt::format(" This assumes normal play; a {} might help.", listed(names, "or"));
+  return fmt::format(" This assumes normal play; a trick ({}) might help.", listed(names, "or"));
 }
 
 std::string cutText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {

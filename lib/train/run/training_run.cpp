@@ -121,7 +121,7 @@ void TrainingRun::reportHeldEvents() {
   const Status& held = outputs_.events->held();
   if (!held && !eventsHeld_)
     report_.warn(held.error().text() +
-                 "; training continues, and its events are written when there is space");
+                 "; training continues, and the events are written once writing succeeds");
   if (held && eventsHeld_) report_.note("the TensorBoard log is complete again");
   eventsHeld_ = !held;
 }
