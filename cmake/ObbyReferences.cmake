@@ -17,6 +17,15 @@ endif()
 if(NOT OBBY_PORTABLE)
   pkg_check_modules(bullet IMPORTED_TARGET bullet)
 endif()
+# bench_quality: the planner SST. Not by find_package, since Debian's configuration file names Boost
+# libraries that the package does not depend on.
+find_path(OMPL_INCLUDE ompl/control/planners/sst/SST.h PATH_SUFFIXES ompl-1.5 ompl)
+find_library(OMPL_LIBRARY ompl)
+if(OMPL_INCLUDE AND OMPL_LIBRARY AND NOT OBBY_PORTABLE)
+  add_library(ompl INTERFACE IMPORTED)
+  target_include_directories(ompl SYSTEM INTERFACE ${OMPL_INCLUDE})
+  target_link_libraries(ompl INTERFACE ${OMPL_LIBRARY} Eigen3::Eigen)
+endif()
 
 # obby_absent_test(name packages...): adds a ctest entry that is skipped, with the missing packages.
 function(obby_absent_test name)

@@ -37,6 +37,15 @@ void measurePath(schema::Path::Reader path, Quality& q) {
 
 }  // namespace
 
+Quality qualityOf(schema::Trajectory::Reader trajectory) {
+  Quality quality;
+  quality.ticks = trajectory.getTicks();
+  quality.jumps = trajectory.getJumps();
+  quality.changes = trajectory.getActions().size();
+  measurePath(trajectory.getPath(), quality);
+  return quality;
+}
+
 std::optional<Quality> measure(const SuiteQuery& query, const solve::Preference* preference,
                                double seconds, ThreadPool& pool) {
   solve::SolverOptions options;
@@ -51,13 +60,11 @@ std::optional<Quality> measure(const SuiteQuery& query, const solve::Preference*
   std::optional<Quality> quality;
   const auto write = [&](schema::Record::Reader record) -> Status {
     if (record.isTrajectory() && !quality) {
-      const auto t = record.getTrajectory();
-      quality = Quality{
-          double(t.getTicks()), double(t.getJumps()), 0, double(t.getActions().size()), 0, 0, 0};
-      measurePath(t.getPath(), *quality);
+      quality = qualityOf(record.getTrajectory());
     } else if (record.isResult() && quality) {
       quality->firstSeconds = double(record.getResult().getTiming().getFirstSolution());
       quality->finalSeconds = double(record.getResult().getTiming().getSeconds());
+      quality->steps = record.getResult().getSteps();
     }
     return {};
   };

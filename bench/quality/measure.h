@@ -15,7 +15,11 @@ struct Quality {
   double changes = 0;    // runs of the same keys
   double length = 0;     // studs
   double firstSeconds = 0, finalSeconds = 0;  // wall-clock time to the first and final solution
+  uint64_t steps = 0;                         // simulated ticks of the search and the improvement
 };
+
+// Returns all but the times and steps. The trajectory must have a path.
+Quality qualityOf(schema::Trajectory::Reader trajectory);
 
 // Returns nothing if no solution is found within 5 million steps. `preference` is null for the
 // first solution.
