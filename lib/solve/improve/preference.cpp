@@ -10,12 +10,12 @@ constexpr Preference kPreferences[] = {
     {"natural",
      "as a player would go: quick, with few jumps, turns and key changes, and not along "
      "edges",
-     {1, 0.3f, 0.15f, 0.04f, 0.5f, 0.15f, 0.1f, 0.2f}},
+     {1, 0.3f, 0.15f, 0.04f, 1.5f, 1, 1, 0.4f}},
     {"fast", "the shortest time", {1, 0.01f, 0.002f, 0.001f, 0, 0, 0, 0}},
-    {"safe", "far from parts that kill and from edges", {1, 0.6f, 0.1f, 0.04f, 6, 3, 1, 1}},
+    {"safe", "far from parts that kill and from edges", {1, 0.6f, 0.1f, 0.04f, 6, 4, 4, 1.5f}},
     {"few-jumps",
      "as few jumps as possible, then as natural",
-     {1, 8, 0.1f, 0.04f, 0.5f, 0.15f, 0.1f, 0.2f}},
+     {1, 8, 0.1f, 0.04f, 1.5f, 1, 1, 0.4f}},
 };
 
 }  // namespace
