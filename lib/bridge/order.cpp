@@ -1,6 +1,7 @@
 #include "bridge/order.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -19,7 +20,7 @@ using Type = JsonTree::Type;
 
 // The members of the budget, and the options of our programs that they set. Bounds are those of the
 // option tables, except for the time, which a shared bridge must limit.
-enum class Shape { number, whole, seed, truth };
+enum class Shape { number, whole, seed, truth, preference };
 struct BudgetRow {
   const char* name;
   const char* option;
@@ -27,6 +28,7 @@ struct BudgetRow {
   double min = 0, max = 0;
   bool solves = true, calibrates = false;  // programs that have the option
 };
+constexpr std::string_view kPreferences[] = {"natural", "fast", "safe", "few-jumps", "first"};
 constexpr BudgetRow kBudgetRows[] = {
     {"timeLimit", "--time-limit", Shape::number, 0.01, 600},
     {"maxSteps", "--max-steps", Shape::whole, 1, 9e15},
@@ -37,6 +39,7 @@ constexpr BudgetRow kBudgetRows[] = {
     {"trials", "--trials", Shape::whole, 1, 1000000},
     {"explain", "--explain", Shape::truth},
     {"improve", "--improve", Shape::number, 0, 600},
+    {"prefer", "--prefer", Shape::preference},
     {"paths", "--paths", Shape::truth},
     {"heatMap", "--heat-map", Shape::truth},
     {"restarts", "--restarts", Shape::whole, 1, 1000, false, true},
@@ -164,20 +167,40 @@ class OrderReader {
       if (value.type == Type::yes || value.type == Type::no) return {};
       return pathError(path, "expected true or false, found " + tree_.describe(value));
     }
-    const auto setting = row.shape == Shape::seed ? seed(value) : number(row, value);
+    const std::string setting = settingOf(row, value);
     if (setting.empty()) {
-      const std::string wanted =
-          row.shape == Shape::seed
-              ? "a whole number or, beyond 2^53, its digits as a string"
-              : fmt::format("a {}number from {} to {}", row.shape == Shape::whole ? "whole " : "",
-                            row.min, row.max);
-      return pathError(path, fmt::format("expected {}, found {}", wanted, tree_.describe(value)));
+      return pathError(path,
+                       fmt::format("expected {}, found {}", expected(row), tree_.describe(value)));
     }
     order_.arguments.push_back(fmt::format("{}={}", row.option, setting));
     return {};
   }
 
+  static std::string expected(const BudgetRow& row) {
+    switch (row.shape) {
+      case Shape::seed: return "a whole number or, beyond 2^53, its digits as a string";
+      case Shape::preference: return fmt::format("one of {}", fmt::join(kPreferences, ", "));
+      default:
+        return fmt::format("a {}number from {} to {}", row.shape == Shape::whole ? "whole " : "",
+                           row.min, row.max);
+    }
+  }
+
   // Returns the value as an argument, or "" if it is invalid.
+  std::string settingOf(const BudgetRow& row, const Node& value) const {
+    switch (row.shape) {
+      case Shape::seed: return seed(value);
+      case Shape::preference: return preference(value);
+      default: return number(row, value);
+    }
+  }
+
+  std::string preference(const Node& value) const {
+    if (value.type != Type::text) return {};
+    const std::string_view text = tree_.text(value);
+    return std::string(std::ranges::find(kPreferences, text) == std::end(kPreferences) ? "" : text);
+  }
+
   std::string number(const BudgetRow& row, const Node& value) const {
     double found = NAN;
     if (value.type == Type::whole) found = double(value.value);

@@ -1,6 +1,7 @@
 // The options that a client may set for a job, and the resulting command line.
 #include "bridge/order.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -86,6 +87,10 @@ TEST(Order, conflicting_members_are_refused) {
   EXPECT_TRUE(parse("\"budget\":{\"trials\":50,\"difficulty\":true}"));
   EXPECT_TRUE(parse("\"budget\":{\"improve\":0}"));
   EXPECT_EQ(pathOf(parse("\"budget\":{\"improve\":601}")), "budget.improve");
+  for (const char* prefer : {"natural", "fast", "safe", "few-jumps", "first"})
+    EXPECT_TRUE(parse(fmt::format("\"budget\":{{\"prefer\":\"{}\"}}", prefer))) << prefer;
+  for (const char* prefer : {"\"--help\"", "\"\"", "1", "true"})
+    EXPECT_EQ(pathOf(parse(fmt::format("\"budget\":{{\"prefer\":{}}}", prefer))), "budget.prefer");
   EXPECT_EQ(pathOf(parse("\"recordings\":[{}]")), "recordings");
   EXPECT_EQ(pathOf(parse("\"recordings\":[{}],\"queries\":[{}]")), "queries");
   const std::string calibrate = "\"task\":\"calibrate\",\"recordings\":[{}]";
