@@ -79,6 +79,7 @@ class Together {
       first_ = own;
       return false;
     }
+    first_.attempts = own.attempts;
     OBBY_RETURN_IF_ERROR(giveAll());
     return true;
   }
