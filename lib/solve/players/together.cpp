@@ -24,6 +24,12 @@ constexpr Method kNoSearch{"bound", "no search", noSearch};
 constexpr uint32_t kFirstRefusals = 48;
 constexpr uint64_t kSeedStep = 0x9e3779b97f4a7c15u;
 
+// Of one search: solutions that others refused before the first that none refused.
+struct Refusals {
+  uint32_t count = 0;
+  bool over = false;
+};
+
 // The slowest player searches, and the others press its keys.
 class Together {
  public:
@@ -46,12 +52,12 @@ class Together {
     for (uint32_t max = kFirstRefusals;; max *= 2, options.budget.seed += kSeedStep) {
       options.budget.seconds = run_.secondsLeft();
       options.budget.maxSteps = maxSteps - steps;
-      uint32_t refused = 0;
+      Refusals refused;
       PlayerQuestion asked = question(refused);
-      asked.goOn = [&] { return refused < max; };
+      asked.goOn = [&] { return refused.count < max; };
       OBBY_RETURN_IF_ERROR(run_.solve(first_, options, asked));
       addWork(steps, seconds);
-      const bool startOver = first_.stopped == Stopped::interrupted && refused >= max;
+      const bool startOver = first_.stopped == Stopped::interrupted && refused.count >= max;
       if (!startOver || run_.secondsLeft() <= 0 || steps >= maxSteps || run_.interrupted()) break;
     }
     return first_.solutions.empty() ? Status() : giveAll();
@@ -66,9 +72,9 @@ class Together {
     options.budget.attempts = 0;
     options.explain = options.heatMap = options.progressRecords = false;
     const PlayerCase own = first_;
-    uint32_t refused = 0;
+    Refusals refused;
     PlayerQuestion asked = question(refused);
-    asked.goOn = [&] { return refused < kFirstRefusals; };
+    asked.goOn = [&] { return refused.count < kFirstRefusals; };
     OBBY_ASSIGN(asked.hints, ownKeys());
     OBBY_RETURN_IF_ERROR(run_.solve(first_, options, asked));
     uint64_t steps = own.answer().getSteps();
@@ -88,14 +94,15 @@ class Together {
   explicit Together(PlayersRun& run) : run_(run), first_(run.cases[slowest(run.cases)]) {}
 
   // Asks the slowest player for keys that solve the query for the others, too. Counts those that
-  // do not.
-  PlayerQuestion question(uint32_t& refused) {
+  // do not, until some do: the improvement of a solution may be refused as often as it likes.
+  PlayerQuestion question(Refusals& refused) {
     PlayerQuestion asked = run_.question(first_);
     asked.accept = [&](const Trajectory& p) {
       const bool solves = std::ranges::all_of(others_, [&](const KeyPlayer& other) {
         return other.solve(p.actions, first_.rate).has_value();
       });
-      refused += solves ? 0 : 1;
+      refused.over |= solves;
+      refused.count += refused.over ? 0 : 1;
       return solves;
     };
     for (const KeyPlayer& other : others_) asked.companions.push_back(other.companion());
