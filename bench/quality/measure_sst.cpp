@@ -5,8 +5,9 @@
 #include "io/record.h"
 #include "sim/player.h"
 #include "solve/answer/loaded_level.h"
+#include "solve/improve/line.h"
+#include "solve/improve/preference.h"
 #include "solve/model/trajectory_record.h"
-#include "solve/search/rollouts/action_runs.h"
 #include "solve/verify/posed_query.h"
 #include "solve/verify/verifier.h"
 
@@ -18,22 +19,14 @@ constexpr uint64_t kSeed = 1;
 
 // Plays the actions until the trajectory ends.
 solve::Trajectory played(const solve::Problem& problem, const solve::ActionRuns& runs) {
-  solve::Trajectory t;
-  t.end = problem.start;
-  t.endBodies = problem.startBodies;
-  t.path.push_back(t.end.position);
-  for (const sim::ActionRun& run : runs) {
-    for (uint32_t i = 0; i < run.ticks && t.end.outcome == sim::Outcome::running; ++i) {
-      sim::Action action = run.action;
-      action.heading = Turns(sim::walkableHeading<int32_t>(action.heading, problem.level.params));
-      solve::hold(t.actions, action);
-      const uint32_t jumps = t.end.jumps;
-      sim::advance(t.end, t.endBodies.data(), problem.level, &problem.query, action);
-      if (++t.ticks % solve::kPathStep == 0) t.path.push_back(t.end.position);
-      if (t.end.jumps > jumps) t.jumpTicks.push_back(t.ticks);
-    }
+  std::vector<sim::Action> actions;
+  for (sim::ActionRun run : runs) {
+    run.action.heading =
+        Turns(sim::walkableHeading<int32_t>(run.action.heading, problem.level.params));
+    actions.insert(actions.end(), run.ticks, run.action);
   }
-  return t;
+  const solve::CostMeter meter(problem, solve::preferences().front().weights, problem.bounds);
+  return solve::trajectoryOf(solve::playLine(problem, actions, meter));
 }
 
 // Returns nothing if the verifier rejects the solution.

@@ -113,8 +113,8 @@ bool Collector::full() {
   if (!std::exchange(fullNoted_, true)) {
     note(
         "The memory budget is full, so later levels, queries and answers are left out. To see "
-        "them, "
-        "show fewer queries with --query, or save the input in a file and view it without --live.");
+        "them, show fewer queries with --query, or save the input in a file and view it without "
+        "--live.");
   }
   return true;
 }

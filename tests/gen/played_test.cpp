@@ -4,10 +4,7 @@
 
 #include <algorithm>
 
-#include "gen/made.h"
-#include "policy/shipped_policy.h"
-#include "solve/methods.h"
-#include "solve/query_solver.h"
+#include "gen/asked.h"
 
 namespace obby::test {
 namespace {
@@ -18,15 +15,7 @@ constexpr uint32_t kTrials = 200;
 
 // Returns the share of trials that pass the hardest step of a level's solution; -1 without one.
 float hardestStep(const Made& made) {
-  io::RecordBuilder copy(made.level.reader());
-  const auto level = solve::loadLevel(io::Record(std::move(copy)));
-  EXPECT_TRUE(level) << level.error().text();
-  solve::SolverOptions options;
-  options.method = solve::findMethod("auto");
-  options.policy = &policy::shippedPolicy().network;
-  options.progressRecords = false;
-  options.budget.maxSteps = 5'000'000;
-  options.budget.attempts = 0;
+  solve::SolverOptions options = limitedTo(5'000'000);
   options.preference = solve::findPreference("natural");
   options.improveSteps = kImproveSteps;
   options.difficultyTrials = kTrials;
@@ -38,9 +27,7 @@ float hardestStep(const Made& made) {
       hardest = std::min(hardest, step.getSuccess());
     return {};
   };
-  ThreadPool pool(1);
-  EXPECT_TRUE(
-      solve::solveQuery(*level, made.query.reader().getQuery(), options, {pool}, {write, {}, {}}));
+  ask(made, options, write);
   return hardest;
 }
 

@@ -3,10 +3,7 @@
 // every machine.
 #include <gtest/gtest.h>
 
-#include "gen/made.h"
-#include "policy/shipped_policy.h"
-#include "solve/methods.h"
-#include "solve/query_solver.h"
+#include "gen/asked.h"
 
 namespace obby::test {
 namespace {
@@ -18,20 +15,7 @@ struct Tally {
 };
 
 Verdict verdictOf(const Made& made, uint64_t steps) {
-  io::RecordBuilder copy(made.level.reader());
-  const auto level = solve::loadLevel(io::Record(std::move(copy)));
-  EXPECT_TRUE(level) << level.error().text();
-  solve::SolverOptions options;
-  options.method = solve::findMethod("auto");
-  options.policy = &policy::shippedPolicy().network;
-  options.progressRecords = false;
-  options.budget.maxSteps = steps;
-  options.budget.attempts = 0;
-  ThreadPool pool(1);
-  const auto answer = solve::solveQuery(*level, made.query.reader().getQuery(), options, {pool},
-                                        {[](schema::Record::Reader) { return Status(); }, {}, {}});
-  EXPECT_TRUE(answer) << answer.error().text();
-  return answer->verdict;
+  return ask(made, limitedTo(steps), [](schema::Record::Reader) { return Status(); });
 }
 
 Tally tally(const gen::Recipe& recipe, bool unsolvable, int levels, uint64_t steps) {

@@ -10,8 +10,8 @@ namespace obby::solve {
 // Changes the solution until the budget is spent. Never returns a dearer one.
 Improved improve(const ImproveTask& task, const Trajectory& solution);
 
-// Does the same, and also lets `method` search for solutions, or for parts of one, with fewer jumps
-// or in less time.
+// Does the same, and also lets `method` search for other solutions, some with fewer jumps or in
+// less time, of which the best spans are taken.
 Improved improveWidely(const ImproveTask& task, const Trajectory& solution, const Method& method,
                        const Machine& machine);
 

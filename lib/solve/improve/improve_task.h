@@ -1,4 +1,4 @@
-// What a solution is improved towards, and how long.
+// The goal and the budget of an improvement, and its result.
 #pragma once
 
 #include <functional>

@@ -40,6 +40,16 @@ size_t slowest(const std::vector<PlayerCase>& cases) {
   return size_t(std::ranges::min_element(cases, {}, &PlayerCase::rate) - cases.begin());
 }
 
+std::vector<ActionRuns> firstKeys(std::span<const PlayerCase> cases, uint32_t rate) {
+  std::vector<ActionRuns> keys;
+  for (const PlayerCase& c : cases) {
+    if (c.solutions.empty()) continue;
+    const auto plan = sim::planFromRecord(c.solutions.front().reader().getTrajectory());
+    if (plan) keys.push_back(retimed(plan->actions, c.rate, rate));
+  }
+  return keys;
+}
+
 Result<KeyPlayer> KeyPlayer::make(const PlayerCase& c) {
   OBBY_ASSIGN(level::Query query, level::Query::compile(c.queryRecord(), c.level->level));
   return KeyPlayer(c, std::move(query));

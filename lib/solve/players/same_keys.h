@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "solve/players/player_case.h"
@@ -12,6 +13,10 @@ namespace obby::solve {
 // Returns the slowest player's index. The other players can change keys at each frame of the
 // slowest, or soon after.
 size_t slowest(const std::vector<PlayerCase>& cases);
+
+// Returns the keys of each player's first solution, converted to the rate. Skips players without
+// one.
+std::vector<ActionRuns> firstKeys(std::span<const PlayerCase> cases, uint32_t rate);
 
 // Plays another player's keys, and holds the last of them for up to a second more. solve() returns
 // nothing if they do not solve the query.

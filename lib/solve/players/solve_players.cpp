@@ -1,24 +1,12 @@
 #include "solve/players/solve_players.h"
 
-#include "solve/model/retimed.h"
 #include "solve/players/player_result.h"
+#include "solve/players/same_keys.h"
 #include "solve/players/together.h"
 
 namespace obby::solve {
 
 namespace {
-
-// Returns the first solution of each earlier player in the list, converted to this player's rate.
-std::vector<ActionRuns> hintsFor(const PlayersRun& run, const PlayerCase& c) {
-  std::vector<ActionRuns> hints;
-  for (const PlayerCase& other : run.cases) {
-    if (&other == &c) break;
-    if (other.solutions.empty()) continue;
-    const auto plan = sim::planFromRecord(other.solutions.front().reader().getTrajectory());
-    if (plan) hints.push_back(retimed(plan->actions, other.rate, c.rate));
-  }
-  return hints;
-}
 
 // Each player gets an equal share of the budget that is left.
 Status solveEach(PlayersRun& run) {
@@ -31,7 +19,7 @@ Status solveEach(PlayersRun& run) {
     options.improveSteps /= run.cases.size();
     options.explain &= !explained;  // a change that helps one player is enough
     PlayerQuestion asked = run.question(c);
-    asked.hints = hintsFor(run, c);
+    asked.hints = firstKeys(std::span(run.cases).first(i), c.rate);  // of those before it
     OBBY_RETURN_IF_ERROR(run.solve(c, options, asked));
     explained |= c.answer().getVerdict() != schema::Verdict::SOLVED;
   }

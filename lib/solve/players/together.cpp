@@ -1,6 +1,5 @@
 #include "solve/players/together.h"
 
-#include "solve/model/retimed.h"
 #include "solve/model/route.h"
 #include "solve/players/player_result.h"
 #include "solve/players/same_keys.h"
@@ -24,7 +23,7 @@ constexpr Method kNoSearch{"bound", "no search", noSearch};
 constexpr uint32_t kFirstRefusals = 48;
 constexpr uint64_t kSeedStep = 0x9e3779b97f4a7c15u;
 
-// Of one search: solutions that others refused before the first that none refused.
+// Counts the solutions of a search that other players refuse, until all accept one.
 struct Refusals {
   uint32_t count = 0;
   bool over = false;
@@ -75,7 +74,7 @@ class Together {
     Refusals refused;
     PlayerQuestion asked = question(refused);
     asked.goOn = [&] { return refused.count < kFirstRefusals; };
-    OBBY_ASSIGN(asked.hints, ownKeys());
+    asked.hints = firstKeys(run_.cases, first_.rate);
     OBBY_RETURN_IF_ERROR(run_.solve(first_, options, asked));
     uint64_t steps = own.answer().getSteps();
     double seconds = double(own.answer().getTiming().getSeconds());
@@ -107,18 +106,6 @@ class Together {
     };
     for (const KeyPlayer& other : others_) asked.companions.push_back(other.companion());
     return asked;
-  }
-
-  // Returns the keys of each player's first solution at the slowest player's rate.
-  Result<std::vector<ActionRuns>> ownKeys() const {
-    std::vector<ActionRuns> keys;
-    for (const PlayerCase& c : run_.cases) {
-      if (c.solutions.empty()) continue;
-      OBBY_ASSIGN(const sim::Plan plan,
-                  sim::planFromRecord(c.solutions.front().reader().getTrajectory()));
-      keys.push_back(retimed(plan.actions, c.rate, first_.rate));
-    }
-    return keys;
   }
 
   // Adds the work of earlier searches to the slowest player's result, and that of the result to
